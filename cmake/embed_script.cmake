@@ -1,0 +1,31 @@
+# Run by scenelore_embed: writes OUT, a C++ source that holds FILES as string literals.
+set(entries "")
+foreach(file IN LISTS FILES)
+  file(READ ${file} text)
+  file(RELATIVE_PATH relative ${ROOT} ${file})
+  # A string literal may be as long as the compiler likes, g++ takes megabytes; pieces of 8,000 characters keep to
+  # what the standard asks of every compiler together.
+  set(literal "")
+  string(LENGTH "${text}" length)
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 8000 piece)
+    string(APPEND literal "R\"sl_embed(${piece})sl_embed\"\n")
+    math(EXPR at "${at} + 8000")
+  endwhile()
+  if(literal STREQUAL "")
+    set(literal "\"\"")
+  endif()
+  string(APPEND entries "    {\"${relative}\", ${literal}},\n")
+endforeach()
+file(WRITE ${OUT} "#include <scenelore/embedded_file.hpp>
+#include <span>
+namespace ${NAMESPACE} {
+std::span<const scenelore::EmbeddedFile> ${NAME}();
+std::span<const scenelore::EmbeddedFile> ${NAME}() {
+  static constexpr scenelore::EmbeddedFile files[] = {
+${entries}  };
+  return files;
+}
+}  // namespace ${NAMESPACE}
+")

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace scenelore::kb {
+
+/// Wrong input to this module; the text names file, object and the way out, in the user's words.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace scenelore::kb

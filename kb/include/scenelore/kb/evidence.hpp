@@ -1,0 +1,35 @@
+// Pre-classification: P(C|Φ) of each plane from the Gaussians and densities of the knowledge base.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenelore/kb/knowledge.hpp"
+
+namespace scenelore::kb {
+
+/// Feature values of planes; NaN = not known, which says nothing about any class.
+struct FeatureTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;  ///< [plane][feature]
+};
+
+/// What one feature says about one plane and class.
+struct Contribution {
+  std::string feature;
+  double value = 0;
+  double mean = 0, sigma = 0;   ///< of the class; NaN where a density or uniform stands instead
+  double log_likelihood = 0;    ///< ln p(x|C), per unit of the feature's scale
+  double weight = 0;            ///< F_i
+};
+
+/// [plane][class], each row sums to one. Setting `combination`:
+/// `product` (default): ln P(C|Φ) = ln π_C + Σ F_i ln p(x_i|C) − ln Z (log-linear pooling);
+/// `mean`: P(C|Φ) = Σ P(C|x_i) F_i / Σ F_i (Goldhoorn & Hartanto 2014, equation 1), P(C|x_i) by Bayes' theorem.
+[[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features);
+
+/// The terms behind one entry of preclassify, in the order of the knowledge's features.
+[[nodiscard]] std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features,
+                                                      std::size_t plane, std::size_t object_class);
+
+}  // namespace scenelore::kb

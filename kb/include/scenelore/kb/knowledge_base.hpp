@@ -1,0 +1,99 @@
+// The knowledge base file: one SQLite file that is also a valid GeoPackage (docs/schema.md).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenelore/kb/evidence.hpp"
+#include "scenelore/kb/inference.hpp"
+#include "scenelore/kb/knowledge.hpp"
+#include "scenelore/perception/plane.hpp"
+
+namespace scenelore::kb {
+
+/// A row of `scan`.
+struct Scan {
+  ScanId id = 0;  ///< 0 = not stored yet
+  std::string name;
+  std::string source;  ///< path as given by the user
+  std::string sha256;  ///< of the source file
+  std::int64_t point_count = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< scan frame to upright frame
+  double floor_z = 0;                                            ///< along upright z
+  std::string parameters;                                        ///< JSON
+  std::string imported_at;                                       ///< ISO 8601, UTC; set by store_scan when empty
+};
+
+struct StoredPlane {
+  PlaneId id = 0;
+  perception::Plane plane;
+};
+
+/// Result rows of a query as text, with NULL as nullopt; `types` are SQLite's storage classes of the values.
+struct QueryRow {
+  std::vector<std::optional<std::string>> values;
+  std::vector<int> types;
+};
+
+enum class Access { read_only, read_write };
+
+/// Owns the connection. Every writing function is one transaction: a kill leaves the file as it was before.
+/// Not safe for concurrent use of one object; several processes may read one file. Throws Error naming file and row.
+class KnowledgeBase {
+ public:
+  /// A new file with the schema and the named knowledge pack ("office", "paper", "empty"). Throws when the file exists.
+  static KnowledgeBase create(const std::filesystem::path& path, const std::string& knowledge = "office");
+  /// Migrates an older file (read_write); refuses a newer one, a file that is no knowledge base, a damaged one.
+  static KnowledgeBase open(const std::filesystem::path& path, Access access = Access::read_write);
+  KnowledgeBase(KnowledgeBase&&) noexcept;
+  KnowledgeBase& operator=(KnowledgeBase&&) noexcept;
+  ~KnowledgeBase();
+
+  /// Checked: one fallback class, sigma > 0, ranges, names that exist; the error names table and row.
+  [[nodiscard]] Knowledge knowledge() const;
+  /// SHA-256 of the knowledge tables' content in a canonical order.
+  [[nodiscard]] std::string knowledge_hash() const;
+
+  [[nodiscard]] std::vector<Scan> scans() const;                                     ///< by id
+  [[nodiscard]] std::optional<Scan> find_scan(const std::string& name) const;
+  /// Stores a scan and its planes. A scan of the same name is replaced; its `truth` rows move to the new planes that
+  /// share most of their points. Returns the scan's id (kept on replacement); `warnings` gets a sentence per truth row
+  /// that found no plane.
+  ScanId store_scan(const Scan& scan, const std::vector<perception::Plane>& planes,
+                    const std::vector<std::int32_t>& plane_of_point, std::vector<std::string>* warnings = nullptr);
+  [[nodiscard]] std::vector<StoredPlane> planes(ScanId scan) const;                  ///< by id
+  /// Plane id of each point of the source file, −1 = none.
+  [[nodiscard]] std::vector<std::int64_t> plane_of_point(ScanId scan) const;
+  [[nodiscard]] std::vector<std::pair<PlaneId, std::string>> truth(ScanId scan) const;
+
+  void store_features(const std::vector<PlaneId>& planes, const FeatureTable& features);
+  [[nodiscard]] FeatureTable features(const std::vector<PlaneId>& planes) const;
+  /// Replaces everything inferred about the scan before. Returns the run's id.
+  std::int64_t store_inference(ScanId scan, const Inference& inference);
+  [[nodiscard]] std::vector<Label> labels(ScanId scan) const;
+  [[nodiscard]] std::vector<Reason> reasons(PlaneId plane) const;
+
+  /// Runs one statement that only reads (an authorizer refuses the rest); `header` gets the column names first.
+  /// Values print as sqlite3's shell does: reals with up to 15 digits.
+  void query(const std::string& sql, const std::function<void(const std::vector<std::string>&)>& header,
+             const std::function<void(const QueryRow&)>& row) const;
+
+ private:
+  struct Implementation;
+  explicit KnowledgeBase(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Values of the catalogue's built-in features (area_m2, length, …, z_min, z_max, facing_up, …) of planes in the scan's
+/// upright frame; x and y are along the upright frame's axes, from the scan's centre.
+[[nodiscard]] FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>& planes);
+
+}  // namespace scenelore::kb

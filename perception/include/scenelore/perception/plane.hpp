@@ -1,0 +1,40 @@
+// A segmented plane and its feature vector Φ (Goldhoorn & Hartanto 2014, section 3.2). A value type: kb stores it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+namespace scenelore::perception {
+
+using Ring = std::vector<Eigen::Vector3d>;  ///< corners in order, the first one not repeated; all on the plane
+
+/// Outer boundary counter-clockwise seen against the normal, holes clockwise; no ring crosses itself or another.
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+/// Coordinates are the scan's own (those of its file). `height`, `z_min`, `z_max`, `tilt_deg` are in the upright frame:
+/// metres above the floor level, degrees from the vertical.
+struct Plane {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit; towards the sensor where known, else the upper half space
+  /// Rotates local axes into the scan's frame: local z = normal, x = intermediate, y = largest eigenvector.
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Polygon hull;              ///< alpha shape in the plane; outer empty for a degenerate plane
+  double area_m2 = 0;        ///< of the alpha hull
+  double length = 0;         ///< metres, longer side of the minimum-area rectangle
+  double width = 0;          ///< metres, shorter side
+  double rectangularity = 0; ///< in [0, 1]
+  double tilt_deg = 0;       ///< angle between normal and vertical, 0..90
+  double height = 0;         ///< centroid above the floor
+  double z_min = 0, z_max = 0;  ///< lower and upper edge above the floor
+  double rmse = 0;           ///< metres, of the fit
+  double facing_up = 0;      ///< z of the sensor-side normal in the upright frame, −1..1; |z| when the sensor is unknown
+  double point_density = 0;  ///< points a square metre of hull
+  double seen_share = 0;     ///< share of the hull's 5 cm cells that hold points, 0..1
+  std::size_t point_count = 0;
+};
+
+}  // namespace scenelore::perception
