@@ -1,0 +1,113 @@
+#include "scenelore/perception/cloud.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "bytes.hpp"
+#include "scenelore/perception/error.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+using Axes = std::array<const Column*, 3>;
+
+std::string names_of(const PointTable& table) {
+  std::string names;
+  for (const Column& column : table.columns) names += (names.empty() ? "" : ", ") + column.name;
+  return names.empty() ? "none" : names;
+}
+
+/// Columns x, y, z; X, Y, Z where these do not exist.
+Axes coordinate_columns(const PointTable& table, const std::string& source_name) {
+  Axes axes{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char lower[] = {static_cast<char>('x' + axis), 0}, upper[] = {static_cast<char>('X' + axis), 0};
+    axes[axis] = table.find(lower) != nullptr ? table.find(lower) : table.find(upper);
+    if (axes[axis] == nullptr) {
+      throw Error(source_name + ": no property '" + lower + "'; a scan needs x, y and z (properties found: " + names_of(table) + ")");
+    }
+  }
+  return axes;
+}
+
+/// The median coordinate of each axis, over the finite ones of some thousand rows spread evenly: a few wild points far off must
+/// not move it. Zero where nothing is finite.
+Eigen::Vector3d typical_position(const PointTable& table, const Axes& axes) {
+  const std::size_t step = std::max<std::size_t>(1, table.rows / 4096);
+  Eigen::Vector3d typical = Eigen::Vector3d::Zero();
+  std::vector<double> sample;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sample.clear();
+    for (std::size_t row = 0; row < table.rows; row += step) {
+      const double value = table.value(*axes[axis], row);
+      if (std::isfinite(value)) sample.push_back(value);
+    }
+    if (sample.empty()) continue;
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), middle, sample.end());
+    typical[static_cast<Eigen::Index>(axis)] = *middle;
+  }
+  return typical;
+}
+
+/// Zero as long as float offsets from zero are good to 0.03 mm (float sources: they are the very values of the file below 1 km,
+/// double sources: below 100 m are good to 4 µm); else the typical position in whole metres, from which they are good again.
+Eigen::Vector3d choose_origin(const PointTable& table, const Axes& axes) {
+  const bool wide = std::any_of(axes.begin(), axes.end(), [](const Column* c) { return size_of(c->type) > 4; });
+  const Eigen::Vector3d typical = typical_position(table, axes);
+  if (typical.cwiseAbs().maxCoeff() < (wide ? 100.0 : 1000.0)) return Eigen::Vector3d::Zero();
+  return typical.array().round();
+}
+
+/// One pass over the rows; coordinate(row, axis) is the file's value in double precision.
+template <class Coordinate>
+void take_offsets(std::size_t rows, Coordinate coordinate, Cloud& cloud) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const double cx = cloud.origin.x(), cy = cloud.origin.y(), cz = cloud.origin.z();
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float x = static_cast<float>(coordinate(row, 0) - cx);
+    const float y = static_cast<float>(coordinate(row, 1) - cy);
+    const float z = static_cast<float>(coordinate(row, 2) - cz);
+    // x - x is 0 for finite numbers alone. A double too large for a float has become infinite and is invalid, too.
+    const bool finite = (x - x) + (y - y) + (z - z) == 0.0F;
+    cloud.x.push_back(finite ? x : kNone);
+    cloud.y.push_back(finite ? y : kNone);
+    cloud.z.push_back(finite ? z : kNone);
+    cloud.invalid += finite ? 0 : 1;
+  }
+}
+
+template <class X>
+void take_offsets_of(const PointTable& table, const Axes& axes, Cloud& cloud) {
+  const std::array<std::size_t, 3> offsets{axes[0]->offset, axes[1]->offset, axes[2]->offset};
+  const std::byte* const bytes = table.bytes.data();
+  const std::size_t stride = table.stride;
+  take_offsets(table.rows, [=](std::size_t row, std::size_t axis) {
+    return static_cast<double>(load<X>(bytes + row * stride + offsets[axis]));
+  }, cloud);
+}
+
+}  // namespace
+
+Cloud to_cloud(const PointTable& table, const std::string& source_name) {
+  const Axes axes = coordinate_columns(table, source_name);
+  if (table.rows == 0) throw Error(source_name + " holds no points");
+  Cloud cloud;
+  cloud.viewpoint = table.viewpoint;
+  cloud.origin = choose_origin(table, axes);
+  for (auto* values : {&cloud.x, &cloud.y, &cloud.z}) values->reserve(table.rows);
+  const ScalarType type = axes[0]->type;
+  if (axes[1]->type == type && axes[2]->type == type) {
+    with_type(type, [&](auto zero) { take_offsets_of<decltype(zero)>(table, axes, cloud); });
+  } else {
+    take_offsets(table.rows, [&](std::size_t row, std::size_t axis) { return table.value(*axes[axis], row); }, cloud);
+  }
+  if (cloud.invalid == cloud.size()) {
+    throw Error(source_name + ": none of the " + std::to_string(table.rows) + " points has finite coordinates");
+  }
+  return cloud;
+}
+
+}  // namespace scenelore::perception
