@@ -17,6 +17,8 @@ std::string quoted_names(const std::vector<PlyElement>& elements) {
   return names.empty() ? "none" : names;
 }
 
+constexpr std::string_view kCameraNames[] = {"view_px", "view_py", "view_pz"};
+
 /// What both encodings share: the header's promises, and the table that takes the vertices.
 class PlyReader {
  public:
@@ -41,10 +43,18 @@ class PlyReader {
   PointTable read() && {
     if (header_.format == PlyFormat::ascii) read_ascii();
     else read_binary();
+    if (!table_.viewpoint && camera_.allFinite() && !camera_.isZero(0)) table_.viewpoint = camera_;
     return std::move(table_);
   }
 
  private:
+  /// The Point Cloud Library's writer tells the sensor's position in an element 'camera'; 0 0 0 when it does not know it.
+  void note_camera(const PlyProperty& property, double value) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (property.name == kCameraNames[axis]) camera_[axis] = value;
+    }
+  }
+
   // Binary ---------------------------------------------------------------------------------------------------------
 
   void read_binary() {
@@ -52,7 +62,7 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") take_vertices(element);
       else if (element.has_list()) skip_lists(element);
-      else at_ += rows_in_file(element) * element.row_size();
+      else skip_rows(element);
     }
     check_nothing_follows(file_.text().substr(at_), "byte " + std::to_string(at_));
   }
@@ -62,6 +72,25 @@ class PlyReader {
     const std::size_t size = element.row_size(), left = file_.bytes().size() - at_;
     if (size > 0 && element.count > left / size) fail_truncated(element, left / size);
     return element.count;
+  }
+
+  void skip_rows(const PlyElement& element) {
+    const std::size_t size = rows_in_file(element) * element.row_size();
+    std::size_t at = at_;
+    for (const PlyProperty& property : element.properties) {
+      if (element.name != "camera" || element.count != 1) break;
+      note_camera(property, number_at(property.type, at));
+      at += size_of(property.type);
+    }
+    at_ += size;
+  }
+
+  /// The scalar at a byte of the file, which must hold it.
+  [[nodiscard]] double number_at(ScalarType type, std::size_t at) const {
+    std::byte raw[8];
+    std::memcpy(raw, file_.bytes().data() + at, size_of(type));
+    if (header_.format == PlyFormat::binary_big_endian) std::reverse(raw, raw + size_of(type));
+    return with_type(type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(raw)); });
   }
 
   void take_vertices(const PlyElement& element) {
@@ -98,10 +127,7 @@ class PlyReader {
   std::size_t list_length(const PlyElement& element, const PlyProperty& property, std::size_t row) {
     const std::size_t size = size_of(*property.list_count);
     if (file_.bytes().size() - at_ < size) fail_truncated(element, row);
-    std::byte raw[8];
-    std::memcpy(raw, file_.bytes().data() + at_, size);
-    if (header_.format == PlyFormat::binary_big_endian) std::reverse(raw, raw + size);
-    const double length = with_type(*property.list_count, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(raw)); });
+    const double length = number_at(*property.list_count, at_);
     if (length < 0) {
       throw Error(name_ + ", byte " + std::to_string(at_) + ": list '" + printable(property.name) + "' of element '" +
                   printable(element.name) + "' has a negative length");
@@ -113,14 +139,18 @@ class PlyReader {
   [[noreturn]] void fail_truncated(const PlyElement& element, std::size_t present) const {
     throw Error(name_ + ": the file is cut off: element '" + printable(element.name) + "' has " + std::to_string(present) + " of the " +
                 std::to_string(element.count) + " rows that the header promises; the file ends at byte " +
-                std::to_string(file_.bytes().size()));
+                std::to_string(file_.bytes().size()) + hint());
   }
 
   /// More data than promised means a wrong count or a wrong type in the header: whatever was read is not to be trusted.
   void check_nothing_follows(std::string_view rest, const std::string& where) const {
     if (rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
     throw Error(name_ + ", " + where + ": the elements of the header end here, but " + std::to_string(rest.size()) +
-                " bytes follow; the header does not describe this file");
+                " bytes follow; the header does not describe this file" + hint());
+  }
+
+  [[nodiscard]] std::string hint() const {
+    return header_.format == PlyFormat::ascii ? "" : text_hint(file_.text().substr(header_.body));
   }
 
   // Ascii ----------------------------------------------------------------------------------------------------------
@@ -169,7 +199,7 @@ class PlyReader {
     check_line_ends(element, line, number);
   }
 
-  void check_ascii_row(const PlyElement& element, std::string_view line, std::size_t number) const {
+  void check_ascii_row(const PlyElement& element, std::string_view line, std::size_t number) {
     for (const PlyProperty& property : element.properties) {
       std::size_t entries = 1;
       if (property.list_count) {
@@ -178,13 +208,16 @@ class PlyReader {
         if (!length) fail_at(number, "'" + printable(word) + "' is no length of list '" + printable(property.name) + "'");
         entries = *length;
       }
-      std::byte ignored[8];
+      std::byte value[8];
       for (std::size_t entry = 0; entry < entries; ++entry) {
         const std::string_view word = take_word(line);
-        if (!parse_scalar(word, property.type, ignored)) {
+        if (!parse_scalar(word, property.type, value)) {
           fail_at(number, "'" + printable(word) + "' is no value of property '" + printable(property.name) + "' of element '" +
                               printable(element.name) + "'");
         }
+      }
+      if (element.name == "camera" && !property.list_count) {
+        note_camera(property, with_type(property.type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(value)); }));
       }
     }
     check_line_ends(element, line, number);
@@ -206,6 +239,7 @@ class PlyReader {
   const std::string& name_;
   PlyHeader header_;
   PointTable table_;
+  Eigen::Vector3d camera_ = Eigen::Vector3d::Zero();
   std::size_t at_ = 0;  ///< next byte, in a binary file
 };
 

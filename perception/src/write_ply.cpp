@@ -1,4 +1,4 @@
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 #include "bytes.hpp"
@@ -11,19 +11,6 @@ namespace {
 
 /// PLY knows no 64-bit integers: they become doubles.
 ScalarType stored_type(ScalarType type) { return ply_type_name(type) ? type : ScalarType::f64; }
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-/// A comment is one line.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
 
 std::string header(const PointTable& table) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -42,12 +29,8 @@ std::string header(const PointTable& table) {
 }
 
 bool stored_as_is(const PointTable& table) {
-  std::size_t offset = 0;
-  for (const Column& column : table.columns) {
-    if (column.offset != offset || stored_type(column.type) != column.type) return false;
-    offset += size_of(column.type);
-  }
-  return offset == table.stride;
+  return is_packed(table) &&
+         std::all_of(table.columns.begin(), table.columns.end(), [](const Column& c) { return stored_type(c.type) == c.type; });
 }
 
 void write_row(OutputFile& out, const PointTable& table, std::size_t row) {
