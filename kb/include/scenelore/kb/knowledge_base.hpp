@@ -37,10 +37,13 @@ struct StoredPlane {
   perception::Plane plane;
 };
 
-/// Result rows of a query as text, with NULL as nullopt; `types` are SQLite's storage classes of the values.
+/// SQLite's storage class of a value.
+enum class ValueType { null, integer, real, text, blob };
+
+/// A result row of a query as text, with NULL as nullopt and blobs as hexadecimal digits.
 struct QueryRow {
   std::vector<std::optional<std::string>> values;
-  std::vector<int> types;
+  std::vector<ValueType> types;
 };
 
 enum class Access { read_only, read_write };
@@ -74,6 +77,10 @@ class KnowledgeBase {
   [[nodiscard]] std::vector<std::int64_t> plane_of_point(ScanId scan) const;
   [[nodiscard]] std::vector<std::pair<PlaneId, std::string>> truth(ScanId scan) const;
 
+  /// Adds to the catalogue the features that it does not have yet (those of Lua files), with weight 0: a person who wants
+  /// one to count sets its weight and writes class_feature rows. Writes nothing when there is none to add.
+  void register_features(const std::vector<Feature>& features);
+  /// Features that the catalogue lacks are left out.
   void store_features(const std::vector<PlaneId>& planes, const FeatureTable& features);
   [[nodiscard]] FeatureTable features(const std::vector<PlaneId>& planes) const;
   /// Replaces everything inferred about the scan before. Returns the run's id.

@@ -1,0 +1,42 @@
+# The two commands of the README, and what developers add to them. Everything else is CMake (CMakePresets.json).
+SCAN ?=
+JOBS ?= $(shell nproc)
+
+.PHONY: demo test build bench table1 knowledge asan clean
+
+demo: build
+	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
+
+test:
+	bash tools/setup.sh build test
+	cmake --preset ci
+	cmake --build --preset ci -j $(JOBS)
+	ctest --test-dir build/ci --output-on-failure -j $(JOBS)
+
+build:
+	bash tools/setup.sh build
+	cmake --preset release -DSCENELORE_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS)
+
+# Table 1 of the paper on simulated rooms: reference mode and default, before and after constraints.
+table1: bench
+	build/bench/bin/table1
+
+# Learns the default priors again from simulated rooms (schemas/knowledge/office_learned.sql).
+knowledge: bench
+	build/bench/bin/learn_office > schemas/knowledge/office_learned.sql.new
+	mv schemas/knowledge/office_learned.sql.new schemas/knowledge/office_learned.sql
+
+bench:
+	bash tools/setup.sh build test
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS)
+
+asan:
+	bash tools/setup.sh build test
+	cmake --preset asan
+	cmake --build --preset asan -j $(JOBS)
+	ctest --test-dir build/asan --output-on-failure -j $(JOBS) -LE slow
+
+clean:
+	rm -rf build demo

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Runs every ```sh block of a document, in order, in a folder of its own that holds office.ply, and stops at the first
+# command that fails. Usage: documented_commands.sh SCENELORE DOCUMENT
+set -euo pipefail
+scenelore=$(realpath "$1")
+document=$(realpath "$2")
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/bin" && ln -s "$scenelore" "$folder/bin/scenelore"
+export PATH="$folder/bin:$PATH"
+cd "$folder"
+scenelore simulate office.ply --seed 7 > /dev/null
+
+awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$document" > commands.sh
+[ -s commands.sh ] || { echo "$document shows no commands"; exit 1; }
+bash -exo pipefail commands.sh

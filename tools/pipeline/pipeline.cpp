@@ -1,0 +1,74 @@
+#include "pipeline/pipeline.hpp"
+
+#include <utility>
+
+#include "pipeline/parameters_json.hpp"
+#include "scenelore/kb/sha256.hpp"
+
+namespace scenelore::pipeline {
+
+namespace fs = std::filesystem;
+
+Imported import_scan(kb::KnowledgeBase& base, const fs::path& source, const ImportOptions& options) {
+  options.progress("reading");
+  const perception::PointTable points = perception::read_points(source);
+  const perception::Cloud cloud = perception::to_cloud(points, source.string());
+
+  options.progress("segmenting");
+  Imported imported;
+  imported.perception = perception::perceive(cloud, options.perception);
+  imported.warnings = imported.perception.warnings;
+
+  options.progress("storing");
+  const perception::Upright& upright = imported.perception.upright;
+  imported.scan = {.name = options.name.empty() ? source.stem().string() : options.name,
+                   .source = source.string(),
+                   .sha256 = kb::sha256_of_file(source),
+                   .point_count = static_cast<std::int64_t>(cloud.size()),
+                   .origin = cloud.origin,
+                   .rotation = upright.rotation,
+                   .floor_z = upright.floor_z,
+                   .parameters = parameters_json(imported.perception)};
+  imported.scan.id = base.store_scan(imported.scan, imported.perception.planes, imported.perception.plane_of_point,
+                                     &imported.warnings);
+  return imported;
+}
+
+Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
+  Situation situation;
+  situation.knowledge = base.knowledge();
+  const std::vector<kb::StoredPlane> planes = base.planes(scan.id);
+  situation.scene = rules::make_scene(scan, planes, kb::built_in_features(scan, planes));
+  rules.compute_features(situation.scene, situation.scene.features);
+  situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
+  situation.facts = rules.relate(situation.scene, rules::used_relations(situation.knowledge, rules));
+  situation.truth = base.truth(scan.id);
+  return situation;
+}
+
+kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
+                         const rules::LabellingOptions& options) {
+  base.register_features(rules.features());
+  const Situation situation = assess(base, scan, rules);
+  kb::Inference inference = rules::label(situation.knowledge, situation.scene, situation.evidence, situation.facts,
+                                         situation.truth, options);
+  inference.run.knowledge_hash = base.knowledge_hash();
+  inference.run.rules_hash = rules.hash();
+  inference.run.engine_version = SCENELORE_VERSION;
+  base.store_features(situation.scene.ids, situation.scene.features);
+  base.store_inference(scan.id, inference);
+  return inference;
+}
+
+kb::KnowledgeBase open_or_create(const fs::path& path, const std::string& knowledge) {
+  return fs::exists(path) ? kb::KnowledgeBase::open(path) : kb::KnowledgeBase::create(path, knowledge);
+}
+
+std::vector<fs::path> rule_directories(const fs::path& knowledge_base, const std::vector<std::string>& given) {
+  if (!given.empty()) return {given.begin(), given.end()};
+  const fs::path beside = knowledge_base.parent_path() / "rules";
+  if (fs::is_directory(beside)) return {beside};
+  return {};
+}
+
+}  // namespace scenelore::pipeline

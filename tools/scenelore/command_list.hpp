@@ -1,0 +1,21 @@
+// One function a sub-command, each in a source file of its name.
+#pragma once
+
+#include <memory>
+
+#include "command.hpp"
+
+namespace scenelore::tools {
+
+std::unique_ptr<Command> run_command();
+std::unique_ptr<Command> segment_command();
+std::unique_ptr<Command> label_command();
+std::unique_ptr<Command> query_command();
+std::unique_ptr<Command> why_command();
+std::unique_ptr<Command> export_command();
+std::unique_ptr<Command> info_command();
+std::unique_ptr<Command> kb_init_command();
+std::unique_ptr<Command> rules_check_command();
+std::unique_ptr<Command> simulate_command();
+
+}  // namespace scenelore::tools

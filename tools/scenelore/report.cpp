@@ -1,0 +1,120 @@
+#include "report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "exit_code.hpp"
+
+namespace scenelore::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::map<kb::PlaneId, std::vector<const kb::Reason*>> reasons_by_plane(const kb::Inference& inference) {
+  std::map<kb::PlaneId, std::vector<const kb::Reason*>> out;
+  for (const kb::Reason& reason : inference.reasons) out[reason.plane].push_back(&reason);
+  return out;
+}
+
+/// The one reason to show beside a label: the constraint that mattered most, else what the features say.
+std::string main_reason(const std::vector<const kb::Reason*>& reasons) {
+  const kb::Reason* best = nullptr;
+  for (const kb::Reason* reason : reasons) {
+    const bool constraint = reason->kind == "support" || reason->kind == "truth";
+    const bool best_is_constraint = best && (best->kind == "support" || best->kind == "truth");
+    if (!best || (constraint && (!best_is_constraint || reason->amount > best->amount))) best = reason;
+  }
+  return best ? best->sentence : "";
+}
+
+/// JSON has no infinity: null.
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json to_json(const Report& report) {
+  const kb::Inference& inference = report.inference;
+  auto reasons = reasons_by_plane(inference);
+  Json planes = Json::array();
+  for (const kb::Label& label : inference.labels) {
+    Json plane{{"plane", label.plane},
+               {"class", label.object_class},
+               {"probability", label.probability},
+               {"margin", finite(label.margin)},
+               {"runner_up", label.runner_up ? Json(*label.runner_up) : Json(nullptr)},
+               {"reasons", Json::array()}};
+    for (const kb::Reason* reason : reasons[label.plane]) {
+      plane["reasons"].push_back({{"kind", reason->kind},
+                                  {"class", reason->object_class},
+                                  {"constraint", reason->constraint_name ? Json(*reason->constraint_name) : Json(nullptr)},
+                                  {"other_plane", reason->other_plane ? Json(*reason->other_plane) : Json(nullptr)},
+                                  {"amount", finite(reason->amount)},
+                                  {"sentence", reason->sentence}});
+    }
+    planes.push_back(std::move(plane));
+  }
+  return {{"scan", report.scan.name},
+          {"knowledge_base", report.file},
+          {"points", report.scan.point_count},
+          {"parameters", Json::parse(report.scan.parameters.empty() ? "{}" : report.scan.parameters)},
+          {"outcome", inference.run.outcome},
+          {"cost", finite(inference.run.cost)},
+          {"lower_bound", finite(inference.run.lower_bound)},
+          {"nodes", inference.run.nodes},
+          {"seconds", inference.run.seconds},
+          {"planes", std::move(planes)},
+          {"warnings", report.warnings},
+          {"written", report.written}};
+}
+
+std::string outcome_sentence(const kb::Run& run) {
+  if (run.outcome == "proved") return fmt::format("proved best, cost {:.2f}, {} nodes", run.cost, run.nodes);
+  if (run.outcome == "feasible") {
+    return fmt::format("stopped at a limit: cost {:.2f}, at most {:.2f} above the best", run.cost, run.cost - run.lower_bound);
+  }
+  if (run.outcome == "infeasible") return "no world model satisfies all hard constraints";
+  return "stopped at a limit before any world model was found";
+}
+
+}  // namespace
+
+void print_text(const Report& report, const std::string& fallback) {
+  const kb::Inference& inference = report.inference;
+  fmt::print("{}: {} points, {} planes; {}\n", report.scan.name, report.scan.point_count, inference.planes.size(),
+             outcome_sentence(inference.run));
+  auto reasons = reasons_by_plane(inference);
+  std::size_t rest = 0;
+  bool header = false;
+  for (const kb::Label& label : inference.labels) {
+    if (label.object_class == fallback) {
+      ++rest;
+      continue;
+    }
+    if (!header) fmt::print("{:>7}  {:<12} {:>5}  {}\n", "plane", "class", "prob.", "reason");
+    header = true;
+    fmt::print("{:>7}  {:<12} {:>5.2f}  {}\n", label.plane, label.object_class, label.probability,
+               main_reason(reasons[label.plane]));
+  }
+  if (rest > 0) fmt::print("{} more planes fit no class ({})\n", rest, fallback);
+  fmt::print("knowledge base: {}\n", report.file);
+  for (const std::string& file : report.written) fmt::print("written: {}\n", file);
+}
+
+void print_json(const std::vector<Report>& reports) {
+  Json out = Json::array();
+  for (const Report& report : reports) out.push_back(to_json(report));
+  fmt::print("{}\n", out.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+int exit_code(const Report& report) {
+  const std::string& outcome = report.inference.run.outcome;
+  if (outcome == "feasible" || outcome == "stopped") return kLimit;
+  if (outcome == "infeasible" || report.inference.planes.empty()) return kNegative;
+  return kOk;
+}
+
+}  // namespace scenelore::tools
