@@ -21,4 +21,21 @@ struct Room {
 /// Simulates and segments one room after another on `threads` threads; the result does not depend on them.
 [[nodiscard]] std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads = 2);
 
+/// Class names, one a plane.
+struct Labelling {
+  std::vector<std::string> before;  ///< of the highest evidence alone
+  std::vector<std::string> after;   ///< of the best world model
+  kb::Run run;
+};
+
+/// Labels planes without a file in between.
+[[nodiscard]] Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, const kb::Scan& record,
+                                     const std::vector<kb::StoredPlane>& planes);
+
+/// The knowledge of a pack ("office", "paper").
+[[nodiscard]] kb::Knowledge knowledge_pack(const std::string& name);
+
+/// Planes as the knowledge base would hand them out, with ids 1, 2, …
+[[nodiscard]] std::vector<kb::StoredPlane> stored(const std::vector<perception::Plane>& planes);
+
 }  // namespace scenelore::experiment

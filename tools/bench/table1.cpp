@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 
 #include "bench/rooms.hpp"
@@ -30,34 +29,16 @@ struct Mode {
   Scores scores;
 };
 
-std::vector<std::string> best_classes(const kb::Knowledge& knowledge, const std::vector<std::vector<double>>& evidence) {
-  std::vector<std::string> out;
-  for (const auto& row : evidence) {
-    out.push_back(knowledge.classes[static_cast<std::size_t>(std::max_element(row.begin(), row.end()) - row.begin())].name);
-  }
-  return out;
-}
-
 /// Labels one room and adds its counts to `before` and `after`.
 void score_room(const experiment::Room& room, Mode& mode, rules::RuleSet& rules, std::map<std::string, ClassScore>& before,
                 std::map<std::string, ClassScore>& after) {
-  rules::Scene scene = rules::make_scene(room.record, room.planes, kb::built_in_features(room.record, room.planes));
-  rules.compute_features(scene, scene.features);
-  const auto evidence = kb::preclassify(mode.knowledge, scene.features);
-  const rules::Facts facts = rules.relate(scene, rules::used_relations(mode.knowledge, rules));
-  const kb::Inference inference = rules::label(mode.knowledge, scene, evidence, facts, {}, {.alternatives = 0});
-  mode.scores.solve_seconds = std::max(mode.scores.solve_seconds, inference.run.seconds);
-  mode.scores.not_proved += inference.run.outcome != "proved";
-
-  std::map<kb::PlaneId, std::string> label;
-  for (const kb::Label& entry : inference.labels) label[entry.plane] = entry.object_class;
-  std::vector<std::string> labels;
-  for (const kb::StoredPlane& plane : room.planes) labels.push_back(label[plane.id]);
-  const std::vector<std::string> first = best_classes(mode.knowledge, evidence);
+  const experiment::Labelling labelling = experiment::label_planes(mode.knowledge, rules, room.record, room.planes);
+  mode.scores.solve_seconds = std::max(mode.scores.solve_seconds, labelling.run.seconds);
+  mode.scores.not_proved += labelling.run.outcome != "proved";
   for (const auto* list : {&kPaperClasses, &kStructure}) {
     for (const std::string& name : *list) {
-      before[name] += experiment::score_class(room.scan, room.truth, first, name);
-      after[name] += experiment::score_class(room.scan, room.truth, labels, name);
+      before[name] += experiment::score_class(room.scan, room.truth, labelling.before, name);
+      after[name] += experiment::score_class(room.scan, room.truth, labelling.after, name);
     }
   }
 }
@@ -93,14 +74,6 @@ void print_mode(const Mode& mode) {
              median(scores.f1_before), median(scores.f1_after), *low, *high, 1e3 * scores.solve_seconds, scores.not_proved);
 }
 
-kb::Knowledge pack(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("table1_" + name + ".gpkg");
-  std::filesystem::remove(file);
-  const kb::Knowledge knowledge = kb::KnowledgeBase::create(file, name).knowledge();
-  std::filesystem::remove(file);
-  return knowledge;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -109,8 +82,8 @@ int main(int argc, char** argv) {
   const double noise = argc > 3 ? std::atof(argv[3]) : 0.01;
 
   rules::RuleSet rules = rules::RuleSet::load();
-  Mode modes[]{{"reference mode of the paper (equation 1, hand-set Gaussians, hard constraints)", pack("paper"), {}},
-               {"default knowledge (log-linear product, learned densities, weighted constraints)", pack("office"), {}}};
+  Mode modes[]{{"reference mode of the paper (equation 1, hand-set Gaussians, hard constraints)", experiment::knowledge_pack("paper"), {}},
+               {"default knowledge (log-linear product, learned densities, weighted constraints)", experiment::knowledge_pack("office"), {}}};
   for (int set = 0; set < sets; ++set) {
     const auto rooms = experiment::perceive_rooms(simulator::paper_rooms(first_seed + static_cast<std::uint64_t>(set), noise));
     for (Mode& mode : modes) {
