@@ -1,0 +1,69 @@
+#include "simulator/office.hpp"
+
+#include <stdexcept>
+
+namespace scenelore::simulator {
+namespace {
+
+// False when something of the inventory found no place.
+bool furnish(Office& office, const Inventory& inventory) {
+  if (!add_workplaces(office, inventory)) return false;
+  add_wall_furniture(office);
+  if (!add_stands(office)) return false;
+  add_desk_clutter(office);
+  add_floor_clutter(office);
+  return true;
+}
+
+void check(const Inventory& inventory) {
+  if (inventory.tables < 0 || inventory.screens < 0 || inventory.keyboards < 0) {
+    throw std::invalid_argument("inventory: numbers of tables, screens and keyboards must not be negative");
+  }
+  if (inventory.tables > 40) throw std::invalid_argument("inventory: a room holds at most 40 tables");
+  if (inventory.screens > inventory.tables || inventory.keyboards > inventory.tables) {
+    if (inventory.screens > 2 * inventory.tables) throw std::invalid_argument("inventory: at most two screens a table; ask for more tables");
+    if (inventory.keyboards > 2 * inventory.tables) throw std::invalid_argument("inventory: at most two keyboards a table; ask for more tables");
+  }
+}
+
+}  // namespace
+
+// Stands are drawn before the clutter and kept free, so that which of them is best can be judged in the finished room.
+bool add_stands(Office& office) {
+  constexpr int enough = 8;
+  for (int tries = 0; tries < 300 && office.stands.size() < enough; ++tries) {
+    const double x = office.random.uniform() * office.width, y = office.random.uniform() * office.depth;
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.translate(Vector3d(x, y, 0));
+    const Volume space = volume(frame, {-0.32, -0.32, 0}, {0.32, 0.32, 1.7});
+    if (!office.taken.free(space)) continue;
+    office.taken.add(space);
+    office.stands.emplace_back(x, y);
+  }
+  return office.stands.size() >= 2;
+}
+
+Office make_office(std::uint64_t seed, const Inventory& inventory) {
+  check(inventory);
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    Office office = build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt);
+    if (furnish(office, inventory)) return office;
+  }
+  throw std::invalid_argument("inventory: no room found that holds " + std::to_string(inventory.tables) + " tables, " +
+                              std::to_string(inventory.screens) + " screens and " + std::to_string(inventory.keyboards) + " keyboards");
+}
+
+Inventory draw_inventory(std::uint64_t seed) {
+  Random random(seed, 1000);
+  Inventory inventory;
+  inventory.tables = random.integer(1, 4);
+  for (int i = 0; i < inventory.tables; ++i) {
+    const double u = random.uniform();
+    inventory.screens += u < 0.3 ? 0 : u < 0.85 ? 1 : 2;
+  }
+  for (int i = 0; i < inventory.screens; ++i) inventory.keyboards += random.chance(0.75) ? 1 : 0;
+  inventory.keyboards = std::min(inventory.keyboards, inventory.tables);
+  return inventory;
+}
+
+}  // namespace scenelore::simulator

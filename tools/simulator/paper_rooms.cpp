@@ -1,0 +1,61 @@
+// Six rooms with as many tables, screens and keyboards as the paper's.
+#include <algorithm>
+#include <array>
+
+#include "simulator/random.hpp"
+#include "simulator/simulate.hpp"
+
+namespace scenelore::simulator {
+namespace {
+
+constexpr int kRooms = 6, kTables = 12, kScreens = 9, kKeyboards = 7;
+
+std::array<Inventory, kRooms> spread(Random& random) {
+  std::array<Inventory, kRooms> rooms;
+  for (Inventory& room : rooms) room.tables = 1;
+  const auto any = [&]() -> Inventory& { return rooms[static_cast<std::size_t>(random.integer(0, kRooms - 1))]; };
+  const auto deal = [&](int count, int Inventory::*what, auto&& allowed) {
+    while (count > 0) {
+      Inventory& room = any();
+      if (!allowed(room)) continue;
+      ++(room.*what);
+      --count;
+    }
+  };
+  deal(kTables - kRooms, &Inventory::tables, [](const Inventory& room) { return room.tables < 3; });
+  deal(kScreens, &Inventory::screens, [](const Inventory& room) { return room.screens < room.tables + (room.tables > 1 ? 1 : 0); });
+  deal(kKeyboards, &Inventory::keyboards, [](const Inventory& room) { return room.keyboards < std::min(room.screens, room.tables); });
+  return rooms;
+}
+
+// Whether every table, screen and keyboard is seen well enough to be asked for, judged by a scan of a quarter of the points.
+bool shows_everything(SimulationOptions options) {
+  options.points = 100'000 * static_cast<std::size_t>(options.poses);
+  for (const TruthObject& object : simulate(options).objects) {
+    const std::size_t needed = object.object_class == "table" ? 100 : object.object_class == "flat_screen" ? 40 : object.object_class == "keyboard" ? 18 : 0;
+    if (object.points < needed) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<SimulationOptions> paper_rooms(std::uint64_t seed, double noise) {
+  Random random(seed, 4000);
+  std::vector<SimulationOptions> rooms;
+  for (const Inventory& inventory : spread(random)) {
+    SimulationOptions options;
+    options.inventory = inventory;
+    options.noise = noise;
+    // A hidden object is looked for in another room, and more and more often from a second place.
+    for (int attempt = 0; attempt < 40; ++attempt) {
+      options.seed = random.next() >> 16;
+      options.poses = random.chance(attempt < 8 ? 0.15 : 0.6) ? 2 : 1;
+      if (shows_everything(options)) break;
+    }
+    rooms.push_back(options);
+  }
+  return rooms;
+}
+
+}  // namespace scenelore::simulator
