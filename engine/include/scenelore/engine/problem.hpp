@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,7 +41,7 @@ struct Requirement {
 };
 
 /// If `condition` (or always, without one), then at least `low` and at most `high` of `literals`. Soft: the weight for
-/// each one too many or too few.
+/// each one too many or too few. A literal that is listed twice counts once.
 struct Cardinality {
   std::optional<Literal> condition;
   std::vector<Literal> literals;
@@ -83,6 +84,11 @@ class Problem {
   const std::vector<Variable>& variables() const { return variables_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   const std::vector<double>& table(int index) const { return tables_[static_cast<std::size_t>(index)].costs; }
+  /// Labels of a and of b that the table is for.
+  std::pair<int, int> table_size(int index) const {
+    const Table& table = tables_[static_cast<std::size_t>(index)];
+    return {table.labels_a, table.labels_b};
+  }
   int tables() const { return static_cast<int>(tables_.size()); }
 
  private:

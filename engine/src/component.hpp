@@ -1,0 +1,34 @@
+// Splitting a problem into parts that share no constraint, each with its own network.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "network.hpp"
+#include "scale.hpp"
+#include "scenelore/engine/problem.hpp"
+#include "scenelore/engine/solver.hpp"
+
+namespace scenelore::engine {
+
+/// One part of the problem: its variables in the problem's order; labels are those of the problem.
+struct Component {
+  std::vector<int> variables;        ///< of the problem
+  Network network;                   ///< at its root, propagated without an upper bound
+  bool feasible = true;              ///< false: the root failed
+  std::vector<int> best;             ///< an optimal assignment, once it is proved; else empty
+  Cost best_cost = kTop;
+  std::vector<std::pair<Cost, std::vector<int>>> pool;  ///< different assignments met so far, for upper bounds
+};
+
+struct Decomposition {
+  std::vector<Component> components;
+  std::vector<int> component_of, index_in;  ///< by variable of the problem
+  Cost constant = 0;                        ///< constraints that no variable can change
+  int broken = -1;                          ///< a hard one of these, −1 = none
+};
+
+/// `use[c]`: whether constraint c takes part; empty = all.
+Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const std::vector<char>& use = {});
+
+}  // namespace scenelore::engine

@@ -1,0 +1,81 @@
+// Which hard constraints cannot hold together: QuickXplain (Junker, AAAI 2004) over satisfaction searches.
+#include <algorithm>
+
+#include "implementation.hpp"
+
+namespace scenelore::engine {
+namespace {
+
+class ConflictFinder {
+ public:
+  ConflictFinder(const Problem& problem, const Scale& scale) : problem_(problem), scale_(scale) {
+    for (std::size_t c = 0; c < problem.constraints().size(); ++c)
+      if (may_forbid(problem, problem.constraints()[c])) hard_.push_back(static_cast<int>(c));
+  }
+
+  std::vector<int> find() {
+    if (satisfiable(hard_)) return {};
+    if (!satisfiable({})) return {};  // the domains alone: no constraint is to blame
+    std::vector<int> core = explain({}, false, hard_);
+    std::sort(core.begin(), core.end());
+    return core;
+  }
+
+ private:
+  static bool may_forbid(const Problem& problem, const Constraint& constraint) {
+    if (constraint.weight == kHard) return true;
+    const auto* pair = std::get_if<PairTable>(&constraint.body);
+    if (pair == nullptr) return false;
+    const auto& costs = problem.table(pair->table);
+    return std::find(costs.begin(), costs.end(), kHard) != costs.end();
+  }
+
+  bool satisfiable(const std::vector<int>& constraints) {
+    std::vector<char> use(problem_.constraints().size() + 1, 0);
+    for (const int c : constraints) use[static_cast<std::size_t>(c)] = 1;
+    Decomposition parts = decompose(problem_, scale_, Bound::paper, use);
+    if (parts.broken >= 0) return false;
+    Budget budget{Limits{}};
+    const Search::Report silent;
+    for (Component& component : parts.components) {
+      if (!component.feasible) return false;
+      bool found = false;
+      Search(component.network, budget, silent).enumerate({}, kTop / 2, [&](const std::vector<int>&, Cost) {
+        found = true;
+        return Cost{0};
+      });
+      if (!found) return false;
+    }
+    return true;
+  }
+
+  /// A minimal subset of `candidates` that is unsatisfiable together with `background`, which alone is satisfiable unless
+  /// `grown` says that it has been added to since that was known.
+  std::vector<int> explain(const std::vector<int>& background, bool grown, const std::vector<int>& candidates) {
+    if (grown && !satisfiable(background)) return {};
+    if (candidates.size() == 1) return candidates;
+    const auto middle = candidates.begin() + static_cast<std::ptrdiff_t>(candidates.size() / 2);
+    const std::vector<int> first(candidates.begin(), middle), second(middle, candidates.end());
+    std::vector<int> core = explain(join(background, first), true, second);
+    const std::vector<int> rest = explain(join(background, core), !core.empty(), first);
+    core.insert(core.end(), rest.begin(), rest.end());
+    return core;
+  }
+
+  static std::vector<int> join(std::vector<int> a, const std::vector<int>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  const Problem& problem_;
+  const Scale& scale_;
+  std::vector<int> hard_;
+};
+
+}  // namespace
+
+std::vector<int> Solver::conflict() {
+  return ConflictFinder(implementation_->problem, implementation_->scale).find();
+}
+
+}  // namespace scenelore::engine

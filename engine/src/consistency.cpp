@@ -1,0 +1,317 @@
+// Propagation to a fixed point: node, arc, directional and existential consistency (EDAC), in this order, as in
+// de Givry, Heras, Zytnicki, Larrosa (IJCAI 2005), extended to requirements and cardinalities.
+#include <algorithm>
+
+#include "network.hpp"
+
+namespace scenelore::engine {
+
+View Network::view(const BinaryFunction& f, int to) const {
+  const Cost* table = tables_[static_cast<std::size_t>(f.table)].data();
+  const int columns = at(f.y).size;
+  if (to == f.x) return {table, columns, 1, f.x, f.y, f.x_cell, f.y_cell};
+  return {table, 1, columns, f.y, f.x, f.y_cell, f.x_cell};
+}
+
+/// Node consistency of one variable: the least cost of its labels goes into the bound, hopeless labels go away.
+bool Network::settle(int v) {
+  Cost least = kTop;
+  for (const int label : live(v)) least = std::min(least, unary(v, label));
+  if (least > 0) {
+    if (least + bound() >= limit_) return fail(v);
+    set(0, bound() + least);
+    for (const int label : live(v)) set(static_cast<int>(cell(v, label)), unary(v, label) - least);
+    bound_rose_ = true;
+  }
+  for (int i = at(v).live - 1; i >= 0; --i) {
+    const int label = order_[static_cast<std::size_t>(at(v).first + i)];
+    if (bound() + unary(v, label) >= limit_ && !remove(v, label)) return false;
+  }
+  return true;
+}
+
+bool Network::settle_all() {
+  for (int v = 0; v < variables(); ++v)
+    if (!settle(v)) return false;
+  return true;
+}
+
+void Network::move(int label_cell, int shift_cell, Cost amount) {
+  moves_.push_back({label_cell, shift_cell, amount});
+  if (amount < 0) spent_[static_cast<std::size_t>(label_cell)] -= amount;
+}
+
+void Network::forget() {
+  for (const Move& m : moves_) spent_[static_cast<std::size_t>(m.label_cell)] = 0;
+  moves_.clear();
+}
+
+/// Labels of v cost more than before: who may profit from it?
+void Network::announce(int v) {
+  raised_.insert(v);
+  checks_.insert(v);
+  for (const Link& link : links_[static_cast<std::size_t>(v)])
+    if (link.other > v) checks_.insert(link.other);
+  for (const int global : globals_[static_cast<std::size_t>(v)]) {
+    if (global < 0) continue;
+    const RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
+    if (!is_live(f.x, f.label)) continue;
+    if (f.x != v) {
+      checks_.insert(f.x);
+      continue;
+    }
+    const auto labels_of = live(v);
+    if (std::all_of(labels_of.begin(), labels_of.end(), [&](int l) { return l == f.label || unary(v, l) > 0; }))
+      for (const auto& member : f.members) checks_.insert(member.variable);
+  }
+}
+
+/// Carries out the noted moves towards `to`; labels with a forbidden gain are removed.
+bool Network::commit(int to) {
+  bool rose = false;
+  for (const Move& m : moves_) {
+    set(m.label_cell, cost_at(m.label_cell) + m.amount);
+    set(m.shift_cell, cost_at(m.shift_cell) + m.amount);
+    spent_[static_cast<std::size_t>(m.label_cell)] = 0;
+    rose = rose || m.amount > 0;
+  }
+  moves_.clear();
+  for (int i = at(to).live - 1; i >= 0; --i) {
+    const int label = order_[static_cast<std::size_t>(at(to).first + i)];
+    if (!is_forbidden(gain_[static_cast<std::size_t>(label)])) continue;
+    failed_constraint_ = source_;
+    if (!remove(to, label)) return false;
+  }
+  if (!rose) return true;
+  failed_constraint_ = -1;
+  announce(to);
+  return settle(to);
+}
+
+/// What `to` could get from a binary function when the other variable puts all its costs in.
+void Network::pull(const View& view) {
+  const auto from = live(view.from);
+  const auto to = live(view.to);
+  scratch_.resize(from.size() + to.size());
+  for (std::size_t j = 0; j < from.size(); ++j)
+    scratch_[j] = available(static_cast<int>(cell(view.from, from[j]))) - cost_at(view.from_cell + from[j]);
+  bool any = false;
+  Cost* const got = scratch_.data() + from.size();
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    got[i] = 0;
+    Cost& gain = gain_[static_cast<std::size_t>(to[i])];
+    if (is_forbidden(gain)) {
+      got[i] = -1;
+      continue;
+    }
+    const Cost* row = view.table + to[i] * view.to_stride;
+    const Cost shift = cost_at(view.to_cell + to[i]);
+    Cost least = kTop;
+    for (std::size_t j = 0; j < from.size(); ++j) {
+      least = std::min(least, row[from[j] * view.from_stride] + scratch_[j]);
+      if (least <= shift) break;
+    }
+    least -= shift;
+    if (least <= 0) continue;
+    if (bound() + unary(view.to, to[i]) + gain + least >= limit_) {
+      gain = kTop;
+      got[i] = -1;  // this label goes, so nothing need be paid for it
+      continue;
+    }
+    if (least < least_gain_) continue;
+    got[i] = least;
+    gain += least;
+    any = true;
+  }
+  if (!any) return;
+  for (const int other : from) {
+    const Cost shift = cost_at(view.from_cell + other);
+    Cost need = 0;
+    for (std::size_t i = 0; i < to.size(); ++i)
+      if (got[i] > 0)
+        need = std::max(need, got[i] + cost_at(view.to_cell + to[i]) + shift -
+                                  view.table[to[i] * view.to_stride + other * view.from_stride]);
+    if (need > 0) move(static_cast<int>(cell(view.from, other)), view.from_cell + other, -need);
+  }
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if (got[i] > 0) move(static_cast<int>(cell(view.to, to[i])), view.to_cell + to[i], got[i]);
+}
+
+/// What the other variable's labels cost in any case goes to the labels of `view.to`.
+bool Network::project(const View& view, bool only_forbidden) {
+  bool rose = false;
+  for (int i = at(view.to).live - 1; i >= 0; --i) {
+    const int label = order_[static_cast<std::size_t>(at(view.to).first + i)];
+    const Cost* row = view.table + label * view.to_stride;
+    const Cost shift = cost_at(view.to_cell + label);
+    Cost least = kTop;
+    for (const int other : live(view.from)) {
+      least = std::min(least, row[other * view.from_stride] - cost_at(view.from_cell + other));
+      if (least <= shift) break;
+    }
+    least -= shift;
+    if (least <= 0) continue;
+    if (bound() + unary(view.to, label) + least >= limit_) {
+      if (!is_forbidden(least)) failed_constraint_ = -1;
+      if (!remove(view.to, label)) return false;
+      continue;
+    }
+    if (only_forbidden) continue;
+    set(static_cast<int>(cell(view.to, label)), unary(view.to, label) + least);
+    set(view.to_cell + label, shift + least);
+    rose = true;
+  }
+  if (!rose) return true;
+  announce(view.to);
+  return settle(view.to);
+}
+
+/// Arc consistency from a variable that lost labels.
+bool Network::arcs_from(int v) {
+  if (!settle(v)) return false;
+  raised_.insert(v);
+  checks_.insert(v);
+  const bool only_forbidden = !shifting_ && at(v).live > 1;
+  for (const Link& link : links_[static_cast<std::size_t>(v)]) {
+    const BinaryFunction& f = binary_[static_cast<std::size_t>(link.function)];
+    if (at(link.other).live == 1 && at(v).live > 1) continue;
+    failed_constraint_ = f.constraint;
+    if (!project(view(f, link.other), only_forbidden)) return false;
+  }
+  failed_constraint_ = -1;
+  return true;
+}
+
+bool Network::filter_global(int global) {
+  const auto attempt = [&](int v) {
+    std::fill(gain_.begin(), gain_.end(), 0);
+    pull_global(global, v, variables());
+    return commit(v);
+  };
+  source_ = global >= 0 ? requirements_[static_cast<std::size_t>(global)].constraint
+                        : cardinalities_[static_cast<std::size_t>(~global)].constraint;
+  if (global >= 0) {
+    const RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
+    if (!is_live(f.x, f.label)) return true;
+    if (!attempt(f.x)) return false;
+    if (at(f.x).live > 1) return true;  // another label of x satisfies it
+    for (const auto& member : f.members)
+      if (at(member.variable).live > 1 && !attempt(member.variable)) return false;
+    return true;
+  }
+  const CardinalityFunction& f = cardinalities_[static_cast<std::size_t>(~global)];
+  if ((f.x >= 0 && !is_live(f.x, f.label)) || !is_tight(f)) return true;
+  if (f.x >= 0 && !attempt(f.x)) return false;
+  if (f.x >= 0 && at(f.x).live > 1) return true;
+  for (const auto& member : f.members)
+    if (!attempt(member.variable)) return false;
+  return true;
+}
+
+void Network::pull_global(int global, int to, int above) {
+  if (global >= 0)
+    pull(requirements_[static_cast<std::size_t>(global)], to, above);
+  else
+    pull(cardinalities_[static_cast<std::size_t>(~global)], to, above);
+}
+
+/// Directional consistency: costs of v go through each function to the variables before v.
+bool Network::directed_from(int v) {
+  source_ = -1;
+  if (at(v).live > 1) {
+    for (const Link& link : links_[static_cast<std::size_t>(v)]) {
+      if (link.other > v || at(link.other).live == 1) continue;
+      std::fill(gain_.begin(), gain_.end(), 0);
+      pull(view(binary_[static_cast<std::size_t>(link.function)], link.other));
+      if (!commit(link.other)) return false;
+      if (at(v).live == 1) break;
+    }
+  }
+  for (const int global : globals_[static_cast<std::size_t>(v)]) {
+    if (global < 0) continue;
+    const RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
+    if (f.x >= v || !is_live(f.x, f.label)) continue;
+    std::fill(gain_.begin(), gain_.end(), 0);
+    pull(f, f.x, f.x);
+    if (!commit(f.x)) return false;
+  }
+  return true;
+}
+
+/// Whether a label is free of charge with every binary function towards the variables before v.
+bool Network::existential_support(int v, int label) {
+  if (!is_live(v, label) || unary(v, label) > 0) return false;
+  for (const Link& link : links_[static_cast<std::size_t>(v)]) {
+    if (link.other > v || at(link.other).live == 1) continue;
+    const View side = view(binary_[static_cast<std::size_t>(link.function)], v);
+    const Cost* row = side.table + label * side.to_stride;
+    const Cost shift = cost_at(side.to_cell + label);
+    const auto others = live(link.other);
+    const bool supported = std::any_of(others.begin(), others.end(), [&](int other) {
+      return row[other * side.from_stride] - cost_at(side.from_cell + other) + unary(link.other, other) <
+             shift + least_gain_;
+    });
+    if (!supported) return false;
+  }
+  return true;
+}
+
+/// Existential consistency: when every label of v costs something together with its neighbours, the bound rises.
+bool Network::existential(int v) {
+  std::fill(gain_.begin(), gain_.end(), 0);
+  source_ = -1;
+  moves_.clear();
+  for (const int global : globals_[static_cast<std::size_t>(v)]) pull_global(global, v, -1);
+  const auto total = [&](int label) {
+    const Cost gain = gain_[static_cast<std::size_t>(label)];
+    return is_forbidden(gain) ? kTop : unary(v, label) + gain;
+  };
+  int& support = support_[static_cast<std::size_t>(v)];
+  const auto give_up = [&] {
+    forget();
+    return commit(v);  // only removes labels
+  };
+  if (is_live(v, support) && total(support) == 0 && existential_support(v, support)) return give_up();
+  for (const Link& link : links_[static_cast<std::size_t>(v)])
+    if (link.other < v && at(link.other).live > 1)
+      pull(view(binary_[static_cast<std::size_t>(link.function)], v));
+  Cost least = kTop;
+  for (const int label : live(v)) {
+    if (total(label) >= least) continue;
+    least = total(label);
+    support = label;
+  }
+  if (least < least_gain_) return give_up();
+  return commit(v);
+}
+
+bool Network::propagate() {
+  failed_constraint_ = failed_variable_ = -1;
+  bound_rose_ = true;
+  for (;;) {
+    if (bound() >= limit_) return fail(-1);
+    int v = -1;
+    if ((v = reduced_.pop_min()) >= 0) {
+      if (!arcs_from(v)) return false;
+    } else if ((v = dirty_requirements_.pop_min()) >= 0) {
+      if (!filter_global(v)) return false;
+    } else if ((v = dirty_cardinalities_.pop_min()) >= 0) {
+      if (!filter_global(~v)) return false;
+    } else if (bound_rose_) {
+      bound_rose_ = false;
+      if (!settle_all()) return false;
+    } else if (!shifting_) {
+      raised_.clear();
+      checks_.clear();
+      return true;
+    } else if ((v = raised_.pop_max()) >= 0) {
+      if (!directed_from(v)) return false;
+    } else if ((v = checks_.pop_min()) >= 0) {
+      if (!existential(v)) return false;
+    } else {
+      return true;
+    }
+  }
+}
+
+}  // namespace scenelore::engine

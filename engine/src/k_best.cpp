@@ -1,0 +1,84 @@
+// The k cheapest assignments: those of each component, then combined.
+#include <algorithm>
+
+#include "implementation.hpp"
+
+namespace scenelore::engine {
+namespace {
+
+/// The k cheapest sums of one of a and one of b. (i, j) has at least (i + 1)(j + 1) − 1 pairs before it, in cost and among
+/// equal costs in lexicographic order too, so that few pairs need be looked at.
+std::vector<World> combine(const std::vector<World>& a, const std::vector<World>& b, std::size_t k,
+                           const std::vector<int>& variables_of_b) {
+  std::vector<World> all;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size() && (i + 1) * (j + 1) <= k; ++j) {
+      World world{a[i].cost + b[j].cost, a[i].labels};
+      for (std::size_t v = 0; v < variables_of_b.size(); ++v)
+        world.labels[static_cast<std::size_t>(variables_of_b[v])] = b[j].labels[v];
+      all.push_back(std::move(world));
+    }
+  std::sort(all.begin(), all.end());
+  if (all.size() > k) all.resize(k);
+  return all;
+}
+
+}  // namespace
+
+/// First the k least costs, by a search whose limit is the k-th best so far. Among assignments that cost as much as the
+/// dearest of them that search keeps those it happened to meet; a second one in lexicographic order finds the first ones.
+Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budget) {
+  Worlds found;
+  const auto most = static_cast<std::size_t>(k);
+  const Search::Report events = report(component);
+  Search search(component.network, budget, events);
+  if (!component.best.empty()) search.prefer(component.best);
+  std::vector<World>& worlds = found.worlds;
+  found.exact = search.enumerate({}, kTop / 2, [&](const std::vector<int>& labels, Cost cost) {
+    World world{cost, labels};
+    worlds.insert(std::upper_bound(worlds.begin(), worlds.end(), world), std::move(world));
+    if (worlds.size() > most) worlds.pop_back();
+    return worlds.size() < most ? kTop / 2 : worlds.back().cost;
+  });
+  for (const World& world : worlds) remember(component, world.labels, world.cost);
+  if (!found.exact || worlds.size() < most) return found;
+
+  const Cost dearest = worlds.back().cost;
+  std::vector<World> cheaper;
+  for (World& world : worlds)
+    if (world.cost < dearest) cheaper.push_back(world);
+  Search again(component.network, budget, events);
+  again.search_in_order();
+  std::vector<World> equal;
+  found.exact = again.enumerate({}, dearest + 1, [&](const std::vector<int>& labels, Cost cost) {
+    if (cost == dearest) equal.push_back({cost, labels});
+    return cheaper.size() + equal.size() < most ? dearest + 1 : Cost{0};
+  });
+  if (!found.exact) return found;
+  cheaper.insert(cheaper.end(), equal.begin(), equal.end());
+  std::sort(cheaper.begin(), cheaper.end());
+  worlds = std::move(cheaper);
+  return found;
+}
+
+Worlds Solver::Implementation::k_best_worlds(int k, Budget& budget) {
+  Worlds all;
+  if (k < 1 || !feasible()) return all;
+  all.worlds.push_back({parts.constant, std::vector<int>(problem.variables().size(), -1)});
+  for (Component& component : parts.components) {
+    const Worlds part = k_best(component, k, budget);
+    all.exact = all.exact && part.exact;
+    all.worlds = combine(all.worlds, part.worlds, static_cast<std::size_t>(k), component.variables);
+  }
+  return all;
+}
+
+std::vector<Solution> Solver::Implementation::k_best(int k) {
+  Budget budget(options.limits);
+  const Worlds all = k_best_worlds(k, budget);
+  std::vector<Solution> solutions;
+  for (const World& world : all.worlds) solutions.push_back(finish(world.labels, all.exact, parts.constant, budget));
+  return solutions;
+}
+
+}  // namespace scenelore::engine

@@ -1,0 +1,239 @@
+#include "network.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace scenelore::engine {
+
+int Network::add_variable(const std::vector<Cost>& costs) {
+  assert(binary_.empty() && pending_.empty() && requirements_.empty() && cardinalities_.empty());
+  start_empty();
+  const int first = static_cast<int>(cost_.size());
+  const int size = static_cast<int>(costs.size());
+  variable_.push_back({first, size, size});
+  for (int label = 0; label < size; ++label) {
+    order_.push_back(label);
+    position_.push_back(label);
+    owner_.push_back(variables() - 1);
+  }
+  cost_.insert(cost_.end(), costs.begin(), costs.end());
+  original_.insert(original_.end(), costs.begin(), costs.end());
+  return variables() - 1;
+}
+
+/// Cell 0 is the bound, so label cells begin at 1 in all arrays.
+void Network::start_empty() {
+  if (!cost_.empty()) return;
+  cost_.push_back(0);
+  original_.push_back(0);
+  order_.push_back(0);
+  position_.push_back(0);
+  owner_.push_back(-1);
+}
+
+int Network::new_cells(int count) {
+  const int first = static_cast<int>(cost_.size());
+  cost_.resize(cost_.size() + static_cast<std::size_t>(count), 0);
+  return first;
+}
+
+void Network::add_binary(int x, int y, const std::vector<Cost>& table, int constraint) {
+  assert(x < y);
+  auto [entry, fresh] = pending_.try_emplace({x, y}, table, constraint);
+  if (fresh) return;
+  std::vector<Cost>& sum = entry->second.first;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = std::min(sum[i] + table[i], kTop);
+}
+
+int Network::new_table(const std::vector<Cost>& table) {
+  const auto [entry, fresh] = table_index_.try_emplace(table, static_cast<int>(tables_.size()));
+  if (fresh) tables_.push_back(table);
+  return entry->second;
+}
+
+void Network::add_requirement(RequirementFunction function) {
+  function.x_cell = new_cells(labels(function.x));
+  for (auto& member : function.members) member.cell = new_cells(labels(member.variable));
+  requirements_.push_back(std::move(function));
+}
+
+void Network::add_cardinality(CardinalityFunction function) {
+  function.x_cell = function.x < 0 ? -1 : new_cells(labels(function.x));
+  for (auto& member : function.members) member.cell = new_cells(labels(member.variable));
+  cardinalities_.push_back(std::move(function));
+}
+
+void Network::close() {
+  start_empty();
+  const auto count = static_cast<std::size_t>(variables());
+  links_.resize(count);
+  globals_.resize(count);
+  for (const auto& [pair, sum] : pending_) {
+    if (std::all_of(sum.first.begin(), sum.first.end(), [](Cost cost) { return cost == 0; })) continue;
+    const auto [x, y] = pair;
+    const int index = static_cast<int>(binary_.size());
+    const int x_cell = new_cells(labels(x));
+    const int y_cell = new_cells(labels(y));
+    binary_.push_back({x, y, new_table(sum.first), x_cell, y_cell, sum.second});
+    links_[static_cast<std::size_t>(x)].push_back({index, y});
+    links_[static_cast<std::size_t>(y)].push_back({index, x});
+  }
+  pending_.clear();
+  watchers_.resize(original_.size());
+  const auto watch = [&](int v, int global) {
+    globals_[static_cast<std::size_t>(v)].push_back(global);
+    for (int label = 0; label < labels(v); ++label) watchers_[cell(v, label)].push_back(global);
+  };
+  for (std::size_t r = 0; r < requirements_.size(); ++r) {
+    const RequirementFunction& function = requirements_[r];
+    const int global = static_cast<int>(r);
+    watch(function.x, global);
+    for (const auto& member : function.members) {
+      globals_[static_cast<std::size_t>(member.variable)].push_back(global);
+      for (int label = 0; label < labels(member.variable); ++label)
+        if (member.cost[static_cast<std::size_t>(label)] < function.weight)
+          watchers_[cell(member.variable, label)].push_back(global);
+    }
+    dirty_requirements_.resize(static_cast<int>(requirements_.size()));
+  }
+  for (std::size_t c = 0; c < cardinalities_.size(); ++c) {
+    const CardinalityFunction& function = cardinalities_[c];
+    const int global = ~static_cast<int>(c);
+    if (function.x >= 0) watch(function.x, global);
+    for (const auto& member : function.members) watch(member.variable, global);
+    dirty_cardinalities_.resize(static_cast<int>(cardinalities_.size()));
+  }
+  saved_at_.assign(cost_.size(), 0);
+  spent_.assign(original_.size(), 0);
+  support_.assign(count, 0);
+  reduced_.resize(variables());
+  raised_.resize(variables());
+  checks_.resize(variables());
+  std::size_t most = 0;
+  for (const Domain& domain : variable_) most = std::max(most, static_cast<std::size_t>(domain.size));
+  gain_.assign(most, 0);
+  // Shifts of next to nothing are not worth their time: a 4096th of the mean label cost.
+  Cost sum = 0, terms = 1;
+  for (const Cost cost : original_)
+    if (cost > 0 && !is_forbidden(cost)) sum += cost, ++terms;
+  least_gain_ = std::max<Cost>(1, sum / terms / 4096);
+  // Forbidden labels go, and all is to be looked at once.
+  for (int v = 0; v < variables(); ++v) {
+    reduced_.insert(v);
+    raised_.insert(v);
+    checks_.insert(v);
+  }
+  for (int r = 0; r < static_cast<int>(requirements_.size()); ++r) dirty_requirements_.insert(r);
+  for (int c = 0; c < static_cast<int>(cardinalities_.size()); ++c) dirty_cardinalities_.insert(c);
+}
+
+Cost Network::evaluate(std::span<const int> assignment) const {
+  const auto value_of = [&](int v) { return assignment[static_cast<std::size_t>(v)]; };
+  Cost sum = 0;
+  const auto add = [&sum](Cost cost) { sum = std::min(sum + cost, kTop); };
+  for (int v = 0; v < variables(); ++v) add(original_[cell(v, value_of(v))]);
+  for (const BinaryFunction& f : binary_)
+    add(tables_[static_cast<std::size_t>(f.table)][static_cast<std::size_t>(value_of(f.x) * labels(f.y) +
+                                                                           value_of(f.y))]);
+  for (const RequirementFunction& f : requirements_) {
+    if (value_of(f.x) != f.label) continue;
+    Cost least = f.weight;
+    for (const auto& member : f.members)
+      least = std::min(least, member.cost[static_cast<std::size_t>(value_of(member.variable))]);
+    add(least);
+  }
+  for (const CardinalityFunction& f : cardinalities_) {
+    if (f.x >= 0 && value_of(f.x) != f.label) continue;
+    int count = 0;
+    for (const auto& member : f.members) count += member.counts[static_cast<std::size_t>(value_of(member.variable))];
+    add(f.violation(count));
+  }
+  return sum;
+}
+
+Cost Network::evaluate_shifted(std::span<const int> assignment) const {
+  // The shifts cancel out in the sum, so that it suffices to add them to the original functions.
+  Cost sum = evaluate(assignment);
+  if (is_forbidden(sum)) return kTop;
+  sum += bound();
+  const auto value_of = [&](int v) { return assignment[static_cast<std::size_t>(v)]; };
+  for (int v = 0; v < variables(); ++v) sum += unary(v, value_of(v)) - original(v, value_of(v));
+  for (const BinaryFunction& f : binary_)
+    sum -= cost_at(f.x_cell + value_of(f.x)) + cost_at(f.y_cell + value_of(f.y));
+  for (const RequirementFunction& f : requirements_) {
+    sum -= cost_at(f.x_cell + value_of(f.x));
+    for (const auto& member : f.members) sum -= cost_at(member.cell + value_of(member.variable));
+  }
+  for (const CardinalityFunction& f : cardinalities_) {
+    if (f.x >= 0) sum -= cost_at(f.x_cell + value_of(f.x));
+    for (const auto& member : f.members) sum -= cost_at(member.cell + value_of(member.variable));
+  }
+  return sum;
+}
+
+void Network::push() {
+  marks_.push_back({saved_costs_.size(), saved_domains_.size()});
+  stamps_.push_back(stamp_);
+  stamp_ = ++next_stamp_;
+}
+
+void Network::pop() {
+  const Mark mark = marks_.back();
+  marks_.pop_back();
+  for (; saved_costs_.size() > mark.costs; saved_costs_.pop_back())
+    cost_[static_cast<std::size_t>(saved_costs_.back().cell)] = saved_costs_.back().cost;
+  for (; saved_domains_.size() > mark.domains; saved_domains_.pop_back())
+    variable_[static_cast<std::size_t>(saved_domains_.back().variable)].live = saved_domains_.back().live;
+  stamp_ = stamps_.back();
+  stamps_.pop_back();
+  reduced_.clear();
+  raised_.clear();
+  checks_.clear();
+  dirty_requirements_.clear();
+  dirty_cardinalities_.clear();
+}
+
+void Network::set(int index, Cost cost) {
+  const auto i = static_cast<std::size_t>(index);
+  if (saved_at_[i] != stamp_ && !marks_.empty()) {
+    saved_at_[i] = stamp_;
+    saved_costs_.push_back({index, cost_[i]});
+  }
+  cost_[i] = cost;
+}
+
+bool Network::fail(int v) {
+  failed_variable_ = v;
+  return false;
+}
+
+bool Network::assign(int v, int label) {
+  for (int i = at(v).live - 1; i >= 0; --i) {
+    const int other = order_[static_cast<std::size_t>(at(v).first + i)];
+    if (other != label && !remove(v, other)) return false;
+  }
+  return at(v).live == 1 || fail(v);
+}
+
+bool Network::remove(int v, int label) {
+  Domain& domain = variable_[static_cast<std::size_t>(v)];
+  const std::size_t here = cell(v, label);
+  if (position_[here] >= domain.live) return true;
+  if (!marks_.empty()) saved_domains_.push_back({v, domain.live});
+  const int last = --domain.live;
+  const int moved = order_[static_cast<std::size_t>(domain.first + last)];
+  std::swap(order_[static_cast<std::size_t>(domain.first + position_[here])],
+            order_[static_cast<std::size_t>(domain.first + last)]);
+  std::swap(position_[here], position_[cell(v, moved)]);
+  reduced_.insert(v);
+  for (const int global : watchers_[here]) {
+    if (global >= 0)
+      dirty_requirements_.insert(global);
+    else
+      dirty_cardinalities_.insert(~global);
+  }
+  return domain.live > 0 || fail(v);
+}
+
+}  // namespace scenelore::engine

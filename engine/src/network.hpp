@@ -1,0 +1,219 @@
+// The problem inside the search: a weighted constraint network over whole numbers, whose costs are shifted between
+// constraints, labels and one constant without changing the cost of any assignment. The constant is the lower bound.
+//
+// Each constraint function keeps its original costs and, for each (variable, label) in its scope, how much has been
+// taken out of it towards that label ("shift"; negative: put in). At all times, for each assignment t of live labels,
+//     evaluate(t) = bound() + sum over v of unary(v, t[v]) + sum over functions f of (f(t) − its shifts at t)
+// and every one of these terms is >= 0. Only this invariant is needed for correct answers; how well the shifting is done
+// decides how good the bound is. Sources: Cooper, de Givry, Sanchez, Schiex, Zytnicki, Werner, "Soft arc consistency
+// revisited", AIJ 2010; de Givry, Heras, Zytnicki, Larrosa, "Existential arc consistency", IJCAI 2005.
+//
+// Everything that changes is on a trail, so that push() and pop() go down and up the search tree.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "cost.hpp"
+#include "index_set.hpp"
+
+namespace scenelore::engine {
+
+/// Cost of each pair of labels of two variables.
+struct BinaryFunction {
+  int x, y;            ///< x < y
+  int table;           ///< index into Network::tables_, row-major by the label of x
+  int x_cell, y_cell;  ///< cells of the shifts
+  int constraint;      ///< the caller's (the first one, when several were added up)
+};
+
+/// A binary function seen from one side: it gives costs `to` a variable, from another.
+struct View {
+  const Cost* table;
+  int to_stride, from_stride;
+  int to, from;
+  int to_cell, from_cell;
+};
+
+/// Cost when variable `x` has `label`: the least cost of a label that another variable has, at most `weight`.
+struct RequirementFunction {
+  struct Member {
+    int variable;
+    int cell;                ///< shifts, one a label
+    std::vector<Cost> cost;  ///< of each label as a support; kTop = none
+  };
+  int x, label, x_cell;
+  Cost weight;
+  std::vector<Member> members;
+  int constraint;
+};
+
+/// Cost when variable `x` has `label` (or always, x = −1): weight for each member too many or too few.
+struct CardinalityFunction {
+  struct Member {
+    int variable;
+    int cell;
+    std::vector<char> counts;  ///< for each label
+  };
+  int x, label, x_cell;
+  int low, high;
+  Cost weight;
+  std::vector<Member> members;
+  int constraint;
+  Cost violation(int count) const {
+    const int off = count < low ? low - count : count > high ? count - high : 0;
+    return off == 0 ? 0 : weight >= kTop ? kTop : weight * off;
+  }
+};
+
+class Network {
+ public:
+  // --- building, before close() ---
+  int add_variable(const std::vector<Cost>& costs);
+  /// Adds `table` (row-major by x) to what there is between x and y.
+  void add_binary(int x, int y, const std::vector<Cost>& table, int constraint);
+  void add_requirement(RequirementFunction function);  ///< cells are set here
+  void add_cardinality(CardinalityFunction function);
+  void close();
+  /// False: propagate like the paper's bound, only what assigned variables cost, and hard arc consistency.
+  void set_shifting(bool on) { shifting_ = on; }
+
+  // --- state ---
+  int variables() const { return static_cast<int>(variable_.size()); }
+  int labels(int v) const { return at(v).size; }
+  std::span<const int> live(int v) const {
+    return {order_.data() + at(v).first, static_cast<std::size_t>(at(v).live)};
+  }
+  bool is_live(int v, int label) const { return position_[cell(v, label)] < at(v).live; }
+  int value(int v) const { return order_[static_cast<std::size_t>(at(v).first)]; }
+  Cost unary(int v, int label) const { return cost_[cell(v, label)]; }
+  Cost original(int v, int label) const { return original_[cell(v, label)]; }
+  Cost bound() const { return cost_[0]; }
+  /// Cost of a complete assignment from the original costs; forbidden when a hard constraint is broken.
+  Cost evaluate(std::span<const int> assignment) const;
+  /// The same from the shifted costs: equal for assignments of live labels (for tests of the invariant).
+  Cost evaluate_shifted(std::span<const int> assignment) const;
+  /// Adjacent through a function; for components and variable choice.
+  int degree(int v) const { return static_cast<int>(links_[static_cast<std::size_t>(v)].size()); }
+
+  // --- search ---
+  void push();
+  void pop();
+  int level() const { return static_cast<int>(marks_.size()); }
+  /// Upper bound: labels that cannot be part of an assignment cheaper than this may be removed.
+  void set_limit(Cost limit) { limit_ = limit; }
+  bool assign(int v, int label);
+  bool remove(int v, int label);
+  /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
+  bool propagate();
+  /// After a failure: the constraint that did it, −1 = the bound; and the variable that ran out of labels, −1.
+  int failed_constraint() const { return failed_constraint_; }
+  int failed_variable() const { return failed_variable_; }
+
+ private:
+  struct Domain {
+    int first, size, live;  ///< live labels are order_[first .. first + live)
+  };
+  struct Link {
+    int function;
+    int other;
+  };
+  struct Saved {
+    int cell;
+    Cost cost;
+  };
+  struct Shrunk {
+    int variable, live;
+  };
+  struct Mark {
+    std::size_t costs, domains;
+  };
+  /// `amount` goes from a function to a label (or back, when negative).
+  struct Move {
+    int label_cell, shift_cell;
+    Cost amount;
+  };
+
+  const Domain& at(int v) const { return variable_[static_cast<std::size_t>(v)]; }
+  std::size_t cell(int v, int label) const { return static_cast<std::size_t>(at(v).first + label); }
+  Cost cost_at(int cell) const { return cost_[static_cast<std::size_t>(cell)]; }
+  Cost available(int cell) const { return cost_at(cell) - spent_[static_cast<std::size_t>(cell)]; }
+  int new_cells(int count);
+  int new_table(const std::vector<Cost>& table);
+  View view(const BinaryFunction& function, int to) const;
+
+  void set(int cell, Cost cost);
+  bool fail(int v);
+  bool settle(int v);
+  bool settle_all();
+  void announce(int v);
+  void start_empty();
+
+  // Each pull adds to gain_[label] what `to` could get from one function and notes the moves that it takes.
+  // `above`: only variables after it may pay; −1 = all may.
+  void pull(const View& view);
+  void pull(const RequirementFunction& function, int to, int above);
+  void pull(const CardinalityFunction& function, int to, int above);
+  void pull_to_owner(const RequirementFunction& function, int above);
+  void pull_to_member(const RequirementFunction& function, std::size_t member, int above);
+  void pull_global(int global, int to, int above);
+  void project_cardinality(const CardinalityFunction& function, int to);
+  void lift_cardinality(const CardinalityFunction& function, int to, int above);
+  bool is_tight(const CardinalityFunction& function) const;
+  void offer(int to, int shift_cell, int label, Cost amount);
+  void move(int label_cell, int shift_cell, Cost amount);
+  bool commit(int to);
+  void forget();
+
+  bool arcs_from(int v);
+  bool project(const View& view, bool only_forbidden);
+  bool filter_global(int global);
+  bool directed_from(int v);
+  bool existential(int v);
+  bool existential_support(int v, int label);
+
+  std::vector<Domain> variable_;
+  std::vector<int> order_, position_;
+  std::vector<Cost> cost_;      ///< cell 0: the bound; then labels; then shifts
+  std::vector<Cost> original_;  ///< by label cell
+  std::vector<Cost> spent_;     ///< by label cell: promised to moves not yet committed
+  std::vector<int> owner_;      ///< by label cell
+  std::vector<std::vector<Cost>> tables_;
+  std::map<std::vector<Cost>, int> table_index_;
+  std::map<std::pair<int, int>, std::pair<std::vector<Cost>, int>> pending_;  ///< binary functions, until close()
+  std::vector<BinaryFunction> binary_;
+  std::vector<RequirementFunction> requirements_;
+  std::vector<CardinalityFunction> cardinalities_;
+  std::vector<std::vector<Link>> links_;        ///< binary functions of each variable
+  std::vector<std::vector<int>> globals_;       ///< of each variable: requirement r is r, cardinality c is ~c
+  std::vector<std::vector<int>> watchers_;      ///< by label cell: globals to look at when the label goes
+
+  std::vector<Saved> saved_costs_;
+  std::vector<std::uint32_t> saved_at_;  ///< by cell: stamp of the level that saved it
+  std::vector<Shrunk> saved_domains_;
+  std::vector<Mark> marks_;
+  std::uint32_t stamp_ = 1;
+  std::vector<std::uint32_t> stamps_;
+  std::uint32_t next_stamp_ = 1;
+
+  IndexSet reduced_, raised_, checks_, dirty_requirements_, dirty_cardinalities_;
+  std::vector<int> support_;  ///< by variable: the label that last passed the existential check
+  std::vector<Cost> gain_;
+  std::vector<Move> moves_;
+  std::vector<Cost> scratch_;
+  struct Count {
+    Cost in, out;  ///< least cost of being counted or not, kTop = cannot
+  };
+  std::vector<Count> counts_;
+  std::vector<Cost> differences_;
+  bool bound_rose_ = false;
+  bool shifting_ = true;
+  Cost limit_ = kTop;
+  Cost least_gain_ = 1;
+  int source_ = -1;  ///< constraint whose costs are being moved
+  int failed_constraint_ = -1, failed_variable_ = -1;
+};
+
+}  // namespace scenelore::engine

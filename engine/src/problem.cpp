@@ -1,0 +1,117 @@
+#include "scenelore/engine/problem.hpp"
+
+#include <utility>
+
+#include "scenelore/engine/error.hpp"
+
+namespace scenelore::engine {
+namespace {
+
+/// Checks the parts of one constraint and names it when one of them makes no sense.
+class Inspector {
+ public:
+  Inspector(const Problem& problem, const std::string& name) : problem_(problem), name_(name) {}
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error("constraint '" + name_ + "': " + what); }
+
+  void variable(int index) const {
+    const auto count = static_cast<int>(problem_.variables().size());
+    if (index < 0 || index >= count)
+      fail("there is no variable " + std::to_string(index) + ", the problem has " + std::to_string(count));
+  }
+
+  void literal(const Literal& literal) const {
+    variable(literal.variable);
+    const Variable& owner = problem_.variables()[static_cast<std::size_t>(literal.variable)];
+    if (literal.label < 0 || literal.label >= static_cast<int>(owner.labels.size()))
+      fail("variable '" + owner.name + "' has no label " + std::to_string(literal.label) + ", it has " +
+           std::to_string(owner.labels.size()));
+  }
+
+  void weight(double weight) const {
+    if (!(weight > 0)) fail("its weight is " + std::to_string(weight) + "; a weight is > 0, or kHard");
+  }
+
+  void body(const Conflict& conflict, double) const {
+    literal(conflict.a);
+    literal(conflict.b);
+  }
+
+  void body(const Requirement& requirement, double weight) const {
+    literal(requirement.literal);
+    for (const Support& support : requirement.supports) {
+      literal(support.literal);
+      if (!(support.cost >= 0) || support.cost > weight)
+        fail("a support costs " + std::to_string(support.cost) + "; that must lie between 0 and the weight");
+    }
+  }
+
+  void body(const Cardinality& cardinality, double) const {
+    if (cardinality.condition) literal(*cardinality.condition);
+    for (const Literal& member : cardinality.literals) literal(member);
+  }
+
+  void body(const PairTable& pair, double) const {
+    variable(pair.a);
+    variable(pair.b);
+    if (pair.a == pair.b) fail("a pair table needs two different variables");
+    if (pair.table < 0 || pair.table >= problem_.tables()) fail("there is no table " + std::to_string(pair.table));
+    const auto& variables = problem_.variables();
+    const auto labels_a = static_cast<int>(variables[static_cast<std::size_t>(pair.a)].labels.size());
+    const auto labels_b = static_cast<int>(variables[static_cast<std::size_t>(pair.b)].labels.size());
+    if (problem_.table_size(pair.table) != std::pair{labels_a, labels_b})
+      fail("table " + std::to_string(pair.table) + " does not fit the " + std::to_string(labels_a) + " x " +
+           std::to_string(labels_b) + " labels of its variables");
+  }
+
+ private:
+  const Problem& problem_;
+  const std::string& name_;
+};
+
+void require_cost(double cost, const std::string& whose) {
+  if (!(cost >= 0)) throw Error(whose + ": a cost is " + std::to_string(cost) + "; costs are >= 0, or infinite");
+}
+
+}  // namespace
+
+int Problem::add_variable(std::string name, std::vector<std::string> labels, std::vector<double> costs) {
+  const std::string whose = "variable '" + name + "'";
+  if (labels.empty()) throw Error(whose + " has no labels");
+  if (labels.size() != costs.size())
+    throw Error(whose + " has " + std::to_string(labels.size()) + " labels, but " + std::to_string(costs.size()) +
+                " costs");
+  for (const double cost : costs) require_cost(cost, whose);
+  variables_.push_back({std::move(name), std::move(labels), std::move(costs)});
+  return static_cast<int>(variables_.size()) - 1;
+}
+
+void Problem::set_cost(Literal literal, double cost) {
+  const std::string name = "set_cost";
+  Inspector(*this, name).literal(literal);
+  Variable& variable = variables_[static_cast<std::size_t>(literal.variable)];
+  require_cost(cost, "variable '" + variable.name + "'");
+  variable.costs[static_cast<std::size_t>(literal.label)] = cost;
+}
+
+int Problem::add_table(int labels_a, int labels_b, std::vector<double> costs) {
+  const std::string whose = "table " + std::to_string(tables_.size());
+  if (labels_a < 1 || labels_b < 1 ||
+      costs.size() != static_cast<std::size_t>(labels_a) * static_cast<std::size_t>(labels_b))
+    throw Error(whose + ": " + std::to_string(costs.size()) + " costs for " + std::to_string(labels_a) + " x " +
+                std::to_string(labels_b) + " labels");
+  for (const double cost : costs) require_cost(cost, whose);
+  tables_.push_back({labels_a, labels_b, std::move(costs)});
+  return static_cast<int>(tables_.size()) - 1;
+}
+
+int Problem::add(std::string name, double weight, std::int64_t reference,
+                 std::variant<Conflict, Requirement, Cardinality, PairTable> body) {
+  const Inspector inspector(*this, name);
+  inspector.weight(weight);
+  std::visit([&](const auto& part) { inspector.body(part, weight); }, body);
+  constraints_.push_back({std::move(name), weight, reference, std::move(body)});
+  return static_cast<int>(constraints_.size()) - 1;
+}
+
+}  // namespace scenelore::engine

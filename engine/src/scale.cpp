@@ -1,0 +1,55 @@
+#include "scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scenelore::engine {
+namespace {
+
+double largest_finite(const std::vector<double>& costs) {
+  double largest = 0;
+  for (const double cost : costs)
+    if (std::isfinite(cost)) largest = std::max(largest, cost);
+  return largest;
+}
+
+/// The most that a soft constraint can cost.
+double worst(const Problem& problem, const Constraint& constraint) {
+  const double weight = constraint.weight;
+  if (const auto* pair = std::get_if<PairTable>(&constraint.body))
+    return std::isfinite(weight) ? weight * largest_finite(problem.table(pair->table)) : 0;
+  if (const auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+    double most = std::isfinite(weight) ? weight : 0;
+    for (const Support& support : requirement->supports)
+      if (std::isfinite(support.cost)) most = std::max(most, support.cost);
+    return most;
+  }
+  if (!std::isfinite(weight)) return 0;
+  if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+    const double count = static_cast<double>(cardinality->literals.size());
+    return weight * std::max(count, static_cast<double>(std::max(cardinality->low, 1)));
+  }
+  return weight;
+}
+
+}  // namespace
+
+Scale::Scale(const Problem& problem) {
+  double sum = 1;
+  for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
+  for (const Constraint& constraint : problem.constraints()) sum += worst(problem, constraint);
+  int exponent = 0;
+  std::frexp(sum, &exponent);  // sum < 2^exponent
+  units_ = std::ldexp(1.0, std::min(40, 48 - exponent));
+}
+
+Cost Scale::whole(double cost) const {
+  return std::isfinite(cost) ? static_cast<Cost>(std::llround(cost * units_)) : kTop;
+}
+
+double Scale::real(Cost cost) const {
+  return is_forbidden(cost) ? std::numeric_limits<double>::infinity() : static_cast<double>(cost) / units_;
+}
+
+}  // namespace scenelore::engine

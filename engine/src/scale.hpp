@@ -1,0 +1,24 @@
+// From the caller's costs (double) to whole multiples of one power of two, and back.
+#pragma once
+
+#include "cost.hpp"
+#include "scenelore/engine/problem.hpp"
+
+namespace scenelore::engine {
+
+/// Each cost of the problem is rounded once, to the nearest multiple of 1 / units. `units` is 2^40 unless the finite
+/// costs add up to 2^8 or more; then it is the largest power of two with which their sum stays below 2^48.
+/// The search is exact for the rounded costs, so an answer is optimal for the given ones within
+/// (number of costs that it pays) / (2 · units): below 1e-9 for a thousand costs
+/// and a sum of 1e5.
+class Scale {
+ public:
+  explicit Scale(const Problem& problem);
+  Cost whole(double cost) const;
+  double real(Cost cost) const;
+
+ private:
+  double units_;
+};
+
+}  // namespace scenelore::engine

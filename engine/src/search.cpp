@@ -1,0 +1,218 @@
+#include "search.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace scenelore::engine {
+
+bool Budget::exhausted() {
+  if (exhausted_) return true;
+  if (nodes >= limits_.nodes || (limits_.interrupt != nullptr && limits_.interrupt->load(std::memory_order_relaxed)))
+    exhausted_ = true;
+  else if (limits_.seconds < std::numeric_limits<double>::infinity() && seconds() >= limits_.seconds)
+    exhausted_ = true;
+  return exhausted_;
+}
+
+double Budget::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
+  SearchResult result;
+  result.cost = limit;
+  result.complete = enumerate(assumptions, limit, [&](const std::vector<int>& assignment, Cost cost) {
+    result.cost = cost;
+    result.assignment = assignment;
+    preferred_ = assignment;
+    if (report_.observer != nullptr) report_.observer->improved(report_.real(cost));
+    return cost;
+  });
+  result.lower_bound = result.cost;
+  if (!result.complete && !open_.empty()) result.lower_bound = std::min(result.cost, open_.top().bound);
+  return result;
+}
+
+bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, const Accept& accept) {
+  constexpr std::uint64_t kMostBacktracks = 4096;  // of one burst
+  limit_ = limit;
+  accept_ = accept;
+  open_ = {};
+  weight_.assign(static_cast<std::size_t>(network_.variables()), 1.0);
+  burst_limit_ = in_order_ ? std::numeric_limits<std::uint64_t>::max() : 1;
+  last_failed_ = -1;
+  open_.push({0, number_++, assumptions});
+  Cost reported = 0;
+  while (!open_.empty() && open_.top().bound < limit_) {
+    if (budget_.exhausted()) return false;
+    const Open next = open_.top();
+    open_.pop();
+    if (report_.observer != nullptr && next.bound > reported) {
+      reported = next.bound;
+      report_.observer->bounded(report_.real(reported));
+    }
+    // Entering a node costs about its depth in nodes: bursts grow until that is less than a tenth of the work.
+    const std::uint64_t before = budget_.nodes;
+    burst(next);
+    const std::uint64_t spent = budget_.nodes - before;
+    if (in_order_) continue;
+    if (next.path.size() * 10 > spent && burst_limit_ < kMostBacktracks)
+      burst_limit_ *= 2;
+    else if (next.path.size() * 20 < spent && burst_limit_ > 1)
+      burst_limit_ /= 2;
+  }
+  return true;
+}
+
+bool Search::apply(const Decision& d) {
+  return d.equal ? network_.assign(d.variable, d.label) : network_.remove(d.variable, d.label);
+}
+
+bool Search::enter(const std::vector<Decision>& path) {
+  network_.set_limit(limit_);
+  for (const Decision& decision : path)
+    if (!apply(decision)) return false;
+  return network_.propagate();
+}
+
+/// All variables have one label: is it a better assignment?
+bool Search::leaf(Cost& cost) {
+  assignment_.resize(static_cast<std::size_t>(network_.variables()));
+  for (int v = 0; v < network_.variables(); ++v) {
+    if (network_.live(v).size() > 1) return false;
+    assignment_[static_cast<std::size_t>(v)] = network_.value(v);
+  }
+  cost = network_.evaluate(assignment_);
+  return true;
+}
+
+void Search::burst(const Open& open) {
+  const int base = network_.level();
+  network_.push();
+  path_ = open.path;
+  frames_.clear();
+  burst_backtracks_ = 0;
+  bool alive = enter(path_);
+  if (!alive) learn_from_failure({-1, -1, true}, 0);
+  for (;;) {
+    if (alive) {
+      Cost cost = 0;
+      if (leaf(cost)) {
+        if (cost < limit_) limit_ = accept_(assignment_, cost);
+        alive = false;
+      }
+    }
+    if (alive && budget_.exhausted()) {  // this node is open still
+      open_.push({std::max(network_.bound(), open.bound), number_++, path_});
+      hand_back(0);
+      break;
+    }
+    if (alive) {
+      const Decision decision = choose();
+      frames_.push_back({decision, network_.bound(), path_.size()});
+      path_.push_back(decision);
+      ++budget_.nodes;
+      if (report_.observer != nullptr)
+        report_.observer->expanded(static_cast<int>(frames_.size()), report_.literal(decision.variable, decision.label),
+                                   report_.real(network_.bound()));
+      network_.push();
+      network_.set_limit(limit_);
+      alive = apply(decision) && network_.propagate();
+      if (!alive) learn_from_failure(decision, static_cast<int>(frames_.size()));
+      continue;
+    }
+    // Back to the nearest node with an alternative that may still be cheaper.
+    while (!frames_.empty() && frames_.back().bound >= limit_) {
+      network_.pop();
+      frames_.pop_back();
+    }
+    if (frames_.empty()) break;
+    ++budget_.backtracks;
+    if (report_.observer != nullptr) report_.observer->backtracked(static_cast<int>(frames_.size()));
+    if (++burst_backtracks_ > burst_limit_) {
+      hand_back(0);
+      break;
+    }
+    const Frame frame = frames_.back();
+    frames_.pop_back();
+    network_.pop();
+    path_.resize(frame.path);
+    const Decision other{frame.decision.variable, frame.decision.label, !frame.decision.equal};
+    path_.push_back(other);
+    network_.set_limit(limit_);
+    alive = apply(other) && network_.propagate();
+    if (!alive) learn_from_failure(other, static_cast<int>(frames_.size()));
+  }
+  while (network_.level() > base) network_.pop();
+}
+
+/// The other branches of all frames become open nodes, the deepest first.
+void Search::hand_back(std::size_t base_path) {
+  while (frames_.size() > base_path) {
+    const Frame& frame = frames_.back();
+    if (frame.bound < limit_) {
+      std::vector<Decision> path(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(frame.path));
+      path.push_back({frame.decision.variable, frame.decision.label, !frame.decision.equal});
+      open_.push({frame.bound, number_++, std::move(path)});
+    }
+    frames_.pop_back();
+  }
+}
+
+Decision Search::first_in_order() const {
+  int v = 0;
+  while (network_.live(v).size() < 2) ++v;
+  const auto labels = network_.live(v);
+  return {v, *std::min_element(labels.begin(), labels.end()), true};
+}
+
+/// Fewest labels for its weight (how often it was where a branch failed) first: Boussemart, Hemery, Lecoutre, Sais,
+/// "Boosting systematic search by weighting constraints", ECAI 2004; but the variable of the last conflict before all
+/// others: Lecoutre, Sais, Tabary, Vidal, "Reasoning from last conflict(s)", AIJ 2009.
+int Search::branching_variable() const {
+  if (last_failed_ >= 0 && network_.live(last_failed_).size() > 1) return last_failed_;
+  int best = -1;
+  double best_key = 0;
+  for (int v = 0; v < network_.variables(); ++v) {
+    const auto labels = network_.live(v);
+    if (labels.size() < 2) continue;
+    const Cost room = limit_ - network_.bound();
+    double spread = 0;  // in [0, number of labels]: how near to hopeless its labels are
+    for (const int label : labels)
+      spread += static_cast<double>(std::min(network_.unary(v, label), room)) / static_cast<double>(room);
+    const double importance = weight_[static_cast<std::size_t>(v)] * (1 + network_.degree(v)) * (1 + spread);
+    const double key = static_cast<double>(labels.size()) / importance;
+    if (best < 0 || key < best_key) best = v, best_key = key;
+  }
+  return best;
+}
+
+Decision Search::choose() {
+  if (in_order_) return first_in_order();
+  const int best = branching_variable();
+  int label = -1;
+  for (const int candidate : network_.live(best)) {
+    if (label < 0) {
+      label = candidate;
+      continue;
+    }
+    const auto key = [&](int l) {
+      const bool preferred = !preferred_.empty() && preferred_[static_cast<std::size_t>(best)] == l;
+      return std::tuple(network_.unary(best, l), !preferred, network_.original(best, l), l);
+    };
+    if (key(candidate) < key(label)) label = candidate;
+  }
+  return {best, label, true};
+}
+
+void Search::learn_from_failure(const Decision& decision, int depth) {
+  if (network_.failed_variable() >= 0) {
+    weight_[static_cast<std::size_t>(network_.failed_variable())] += weight_step_;
+  }
+  if (decision.variable >= 0 && decision.equal) last_failed_ = decision.variable;
+  if (report_.observer != nullptr && decision.variable >= 0)
+    report_.observer->pruned(depth, report_.literal(decision.variable, decision.label), network_.failed_constraint());
+}
+
+}  // namespace scenelore::engine
