@@ -64,12 +64,16 @@ bool names_coordinates(const std::vector<std::string_view>& names) {
 }
 
 std::vector<std::string> column_names(const std::vector<std::string_view>& tokens) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(tokens.begin(), tokens.end(), [&](std::string_view token) { return lower(token) == name; });
+  };
+  const bool colour = has("r") && has("g") && has("b");
   std::vector<std::string> names;
   for (const std::string_view token : tokens) {
     std::string name = lower(token);
-    if (name == "r") name = "red";
-    else if (name == "g") name = "green";
-    else if (name == "b") name = "blue";
+    if (colour && name == "r") name = "red";
+    else if (colour && name == "g") name = "green";
+    else if (colour && name == "b") name = "blue";
     else if (name == "i") name = "intensity";
     else if (!is_coordinate(name)) name = token;
     std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) || c == ','; }, '_');
