@@ -1,0 +1,117 @@
+#include "connect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cell_index.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+/// Square cells in the plane, so small that all points of a cell lie within one step of each other although the points
+/// scatter by ±spread across the plane: 2 c² + (2 spread)² ≤ step².
+double cell_size(double step, double spread) {
+  const double across = std::min(2 * spread, 0.9 * step);
+  return std::sqrt((step * step - across * across) / 2);
+}
+
+class Connector {
+ public:
+  Connector(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, const Limits& limits)
+      : cloud_(cloud), points_(points), step_(limits.max_point_distance), most_(std::max<std::size_t>(1, limits.max_neighbours)) {
+    double spread = 0;
+    for (const std::uint32_t i : points) spread = std::max(spread, std::abs(plane.distance(cloud.offset(i).cast<double>())));
+    const double size = cell_size(step_, spread);
+    // Scatter of the same order as the step: cells in all three directions.
+    const bool flat = 2 * spread <= 0.9 * step_;
+    std::vector<CellKey> keys(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Eigen::Vector3d d = plane.axes.transpose() * (cloud.offset(points[k]).cast<double>() - plane.centroid);
+      keys[k] = flat ? place(d[1] / size, d[2] / size, 0) : place(d[1] * 2 / step_, d[2] * 2 / step_, d[0] * 2 / step_);
+    }
+    reach_ = flat ? static_cast<int>(std::ceil(step_ / size)) : 2;
+    depth_ = flat ? 0 : 2;
+    cells_ = CellIndex(keys);
+    parent_.resize(cells_.size());
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  std::vector<std::vector<std::uint32_t>> parts() {
+    // Adjacent cells first: they join nearly everything, and what is joined already need not be compared.
+    for (int ring = 1; ring <= reach_; ++ring) {
+      for (std::size_t c = 0; c < cells_.size(); ++c) join_ring(c, ring);
+    }
+    std::vector<std::vector<std::uint32_t>> result;
+    std::vector<std::int32_t> part(cells_.size(), -1);
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      if (cells_.cell_of(k) < 0) continue;
+      const auto root = static_cast<std::size_t>(find(cells_.cell_of(k)));
+      if (part[root] < 0) {
+        part[root] = static_cast<std::int32_t>(result.size());
+        result.emplace_back();
+      }
+      result[static_cast<std::size_t>(part[root])].push_back(points_[k]);
+    }
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return result;
+  }
+
+ private:
+  /// Points more than a million cells from the centroid cannot be compared and are left out.
+  static CellKey place(double x, double y, double z) {
+    constexpr auto limit = static_cast<double>(kCellLimit);
+    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) >= limit) return kNoCell;
+    const auto cell = [](double a) { return static_cast<std::int64_t>(std::floor(a)); };
+    return cell_key(cell(x), cell(y), cell(z));
+  }
+
+  std::int32_t find(std::int32_t c) {
+    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+    return c;
+  }
+
+  void join_ring(std::size_t c, int ring) {
+    for (int dx = -ring; dx <= ring; ++dx) {
+      for (int dy = -ring; dy <= ring; ++dy) {
+        for (int dz = -std::min(ring, depth_); dz <= std::min(ring, depth_); ++dz) {
+          if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) != ring) continue;
+          const std::int32_t other = cells_.find(moved(cells_.key(c), dx, dy, dz));
+          if (other <= static_cast<std::int32_t>(c)) continue;
+          const std::int32_t a = find(static_cast<std::int32_t>(c)), b = find(other);
+          if (a != b && within_step(c, static_cast<std::size_t>(other))) parent_[std::max(a, b)] = std::min(a, b);
+        }
+      }
+    }
+  }
+
+  bool within_step(std::size_t a, std::size_t b) const {
+    const auto first = cells_.items(a), second = cells_.items(b);
+    const float limit = static_cast<float>(step_ * step_);
+    for (std::size_t i = 0; i < std::min(most_, first.size()); ++i) {
+      const Eigen::Vector3f p = cloud_.offset(points_[first[i]]);
+      for (std::size_t j = 0; j < std::min(most_, second.size()); ++j) {
+        if ((cloud_.offset(points_[second[j]]) - p).squaredNorm() <= limit) return true;
+      }
+    }
+    return false;
+  }
+
+  const Cloud& cloud_;
+  std::span<const std::uint32_t> points_;
+  double step_;
+  std::size_t most_;
+  int reach_ = 1, depth_ = 0;
+  CellIndex cells_;
+  std::vector<std::int32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> connected_parts(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane,
+                                                        const Limits& limits) {
+  if (points.empty()) return {};
+  return Connector(cloud, points, plane, limits).parts();
+}
+
+}  // namespace scenelore::perception

@@ -1,0 +1,78 @@
+#include "scenelore/perception/perceive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "find_regions.hpp"
+#include "limits.hpp"
+#include "parallel.hpp"
+#include "promises.hpp"
+#include "scenelore/perception/error.hpp"
+#include "scenelore/perception/features.hpp"
+#include "words.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kRoomExtent = 200;  // metres; a wider scan of one room is not in metres
+
+/// Middle 98 % of the coordinates along each axis: stray points must not decide about units.
+Eigen::Vector3d extent(const Cloud& cloud) {
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  const std::vector<float>* axes[] = {&cloud.x, &cloud.y, &cloud.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values;
+    const std::size_t step = std::max<std::size_t>(1, cloud.size() / 5000);
+    for (std::size_t i = 0; i < cloud.size(); i += step) {
+      if (cloud.valid(i)) values.push_back((*axes[axis])[i]);
+    }
+    if (values.empty()) continue;
+    std::sort(values.begin(), values.end());
+    size[axis] = static_cast<double>(values[values.size() * 99 / 100]) - static_cast<double>(values[values.size() / 100]);
+  }
+  return size;
+}
+
+void warn(const Cloud& cloud, Perception& result) {
+  const Eigen::Vector3d size = extent(cloud);
+  const double widest = size.maxCoeff(), middle = size.sum() - widest - size.minCoeff();
+  if (widest > kRoomExtent && result.spacing > 0.5 && middle > 20) {
+    result.warnings.push_back("The coordinates look like millimetres (the scan is " + fixed(widest, 0) + " wide and its points are " +
+                              fixed(result.spacing, 1) + " apart); scale them by 0.001, all sizes here are in metres.");
+  } else if (widest > 0 && widest < 0.3 && result.spacing < 0.0005) {
+    result.warnings.push_back("The coordinates span only " + fixed(widest, 3) + " m; all sizes here are in metres.");
+  }
+  if (cloud.invalid > 0) {
+    result.warnings.push_back(count_of(static_cast<long long>(cloud.invalid), "point") + " of " + std::to_string(cloud.size()) +
+                              " without valid coordinates: on no plane.");
+  }
+  if (result.planes.empty()) {
+    result.warnings.push_back("No plane was found in " + count_of(static_cast<long long>(cloud.size()), "point") + ".");
+  } else if (!result.upright.floor_found) {
+    result.warnings.push_back("No floor is visible; heights count from the lowest points.");
+  }
+}
+
+}  // namespace
+
+Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
+  if (options.threads < 1) throw Error("the number of threads is " + std::to_string(options.threads) + "; it must be at least 1");
+  FoundRegions found = find_regions(cloud, options.parameters, options.threads);
+  Perception result;
+  result.parameters = to_parameters(found.limits);
+  result.spacing = found.spacing;
+  result.noise = found.noise;
+  result.upright = estimate_upright(cloud, found.regions.planes, options.up, options.floor_z);
+  keep_promises(cloud, found.limits, options.threads, found.regions);
+  const auto points = points_of_regions(found.regions.of_point, found.regions.planes.size());
+  result.planes.resize(points.size());
+  const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.max_point_distance / 2)};
+  parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) result.planes[p] = describe(cloud, points[p], found.regions.planes[p], result.upright, describing);
+  });
+  result.plane_of_point = std::move(found.regions.of_point);
+  warn(cloud, result);
+  return result;
+}
+
+}  // namespace scenelore::perception

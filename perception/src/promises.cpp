@@ -1,0 +1,76 @@
+#include "promises.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "connect.hpp"
+#include "parallel.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+struct Part {
+  std::vector<std::uint32_t> points;
+  PlaneFit plane;
+};
+
+/// Leaves the points within the tolerance of the plane; true when that were all.
+bool trim(const Cloud& cloud, const PlaneFit& plane, double limit, std::vector<std::uint32_t>& points) {
+  const std::size_t before = points.size();
+  std::erase_if(points, [&](std::uint32_t i) { return !(std::abs(plane.distance(cloud.offset(i).cast<double>())) <= limit); });
+  return points.size() == before;
+}
+
+/// Works off a stack of candidate sets; each step only ever removes or separates points, so it ends.
+std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<std::uint32_t> first) {
+  std::vector<Part> done;
+  std::vector<std::vector<std::uint32_t>> open;
+  open.push_back(std::move(first));
+  while (!open.empty()) {
+    std::vector<std::uint32_t> points = std::move(open.back());
+    open.pop_back();
+    if (static_cast<double>(points.size()) < limits.min_points) continue;
+    const PlaneFit plane = fit_plane(moments_of(cloud, points));
+    double reach = tolerance(plane, limits);
+    // Trimming at two deviations of what is allowed brings the mean squared error down.
+    if (plane.variances[0] > limits.max_mse) reach = std::min({reach, 2 * std::sqrt(limits.max_mse), 2.5 * plane.rmse()});
+    if (!trim(cloud, plane, reach, points)) {
+      open.push_back(std::move(points));
+      continue;
+    }
+    if (plane.variances[0] > limits.max_mse) continue;
+    auto parts = connected_parts(cloud, points, plane, limits);
+    if (parts.size() == 1 && parts.front().size() == points.size()) {
+      done.push_back({std::move(points), plane});
+    } else {
+      for (auto& part : parts) open.push_back(std::move(part));
+    }
+  }
+  return done;
+}
+
+}  // namespace
+
+void keep_promises(const Cloud& cloud, const Limits& limits, int threads, Regions& regions) {
+  auto points = points_of_regions(regions.of_point, regions.planes.size());
+  std::vector<std::vector<Part>> settled(points.size());
+  parallel_pieces(points.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) settled[r] = settle(cloud, limits, std::move(points[r]));
+  });
+  std::vector<Part> parts;
+  for (auto& some : settled) std::move(some.begin(), some.end(), std::back_inserter(parts));
+  const auto rank = [](const Part& p) {
+    return std::tuple(-static_cast<double>(p.points.size()), p.plane.centroid.x(), p.plane.centroid.y(), p.plane.centroid.z());
+  };
+  std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
+  std::fill(regions.of_point.begin(), regions.of_point.end(), -1);
+  regions.planes.clear();
+  for (const Part& part : parts) {
+    for (const std::uint32_t i : part.points) regions.of_point[i] = static_cast<std::int32_t>(regions.planes.size());
+    regions.planes.push_back(part.plane);
+  }
+}
+
+}  // namespace scenelore::perception

@@ -1,0 +1,39 @@
+// The planes while they are being found: a number per point and the plane behind each number.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "moments.hpp"
+#include "scenelore/perception/cloud.hpp"
+
+namespace scenelore::perception {
+
+/// Limits that hold for the planes of the result, all set.
+struct Limits {
+  double max_point_distance = 0;
+  double max_plane_distance = 0;
+  double max_mse = 0;
+  double min_points = 0;
+  std::size_t max_neighbours = 0;
+  bool plane_distance_given = false;  ///< by the user: then it alone decides, whatever the noise of a plane
+};
+
+struct Regions {
+  std::vector<std::int32_t> of_point;  ///< −1 = none
+  std::vector<PlaneFit> planes;        ///< in the cloud's offsets
+};
+
+/// How far from its plane a point may lie: three deviations of the plane's own points, within the limits.
+[[nodiscard]] double tolerance(const PlaneFit& plane, const Limits& limits);
+
+/// The points of each region, in order. `count` regions.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> points_of_regions(std::span<const std::int32_t> of_point, std::size_t count);
+
+[[nodiscard]] Moments moments_of(const Cloud& cloud, std::span<const std::uint32_t> points);
+
+/// Fits every plane anew to its points; planes without points keep count 0.
+void refit(const Cloud& cloud, Regions& regions);
+
+}  // namespace scenelore::perception

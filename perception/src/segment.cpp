@@ -1,0 +1,22 @@
+#include "scenelore/perception/segment.hpp"
+
+#include "find_regions.hpp"
+#include "limits.hpp"
+#include "promises.hpp"
+
+namespace scenelore::perception {
+
+Segmentation segment(const Cloud& cloud, const SegmentationParameters& parameters, int threads) {
+  FoundRegions found = find_regions(cloud, parameters, threads);
+  keep_promises(cloud, found.limits, threads, found.regions);
+  Segmentation result;
+  result.parameters = to_parameters(found.limits);
+  result.voxel = found.voxel;
+  result.spacing = found.spacing;
+  result.noise = found.noise;
+  result.plane_of_point = std::move(found.regions.of_point);
+  result.planes = std::move(found.regions.planes);
+  return result;
+}
+
+}  // namespace scenelore::perception

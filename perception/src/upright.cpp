@@ -1,0 +1,189 @@
+#include "scenelore/perception/upright.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "scenelore/perception/error.hpp"
+#include "words.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostTilt = 35 * kDegree;     // of the file's z; a camera's own frame needs --up
+constexpr double kGate = 3 * kDegree;          // planes that agree with a direction
+constexpr double kWallWeight = 0.5;            // walls bind one angle of two
+constexpr double kSmallest = 0.05;             // m², planes smaller than this say little about up
+
+double weight_of(const PlaneFit& plane) { return std::min(plane.spread_area(), 20.0); }
+
+/// The sum that a direction is judged by: area of the planes across it and along it.
+double support(std::span<const PlaneFit> planes, const Eigen::Vector3d& up) {
+  double sum = 0;
+  for (const PlaneFit& plane : planes) {
+    if (plane.spread_area() < kSmallest) continue;
+    const double c = std::abs(plane.normal.dot(up));
+    if (c > std::cos(kGate)) sum += weight_of(plane);
+    if (c < std::sin(kGate)) sum += kWallWeight * weight_of(plane);
+  }
+  return sum;
+}
+
+/// Directions worth judging: normals near z, and what is at right angles to two walls.
+std::vector<Eigen::Vector3d> candidates(std::span<const PlaneFit> planes) {
+  std::vector<Eigen::Vector3d> result{Eigen::Vector3d::UnitZ()};
+  std::vector<Eigen::Vector3d> walls;
+  const auto consider = [&](Eigen::Vector3d direction) {
+    if (direction.z() < 0) direction = -direction;
+    if (direction.z() > std::cos(kMostTilt)) result.push_back(direction);
+  };
+  for (const PlaneFit& plane : planes.first(std::min<std::size_t>(planes.size(), 60))) {
+    if (plane.spread_area() < 4 * kSmallest) continue;
+    consider(plane.normal);
+    if (std::abs(plane.normal.z()) < std::sin(kMostTilt) && walls.size() < 12) walls.push_back(plane.normal);
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::Vector3d cross = walls[i].cross(walls[j]);
+      if (cross.norm() > 0.5) consider(cross.normalized());
+    }
+  }
+  return result;
+}
+
+struct Estimate {
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  double uncertainty = 0;  ///< radians
+  int level = 0, walls = 0;
+  double share = 0;        ///< of the area of all planes that agrees
+};
+
+/// Least squares over the planes that agree: up maximises Σ w (n·up)² over level planes and minimises it over walls.
+Estimate refined(std::span<const PlaneFit> planes, Eigen::Vector3d up) {
+  Estimate result;
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Matrix3d cost = Eigen::Matrix3d::Zero();
+    double squares = 0, weights = 0, all = 0, agreeing = 0, weight_squares = 0;
+    result.level = result.walls = 0;
+    for (const PlaneFit& plane : planes) {
+      if (plane.spread_area() < kSmallest) continue;
+      const double c = std::abs(plane.normal.dot(up)), area = weight_of(plane);
+      const bool level = c > std::cos(kGate), wall = c < std::sin(kGate);
+      all += area;
+      if (!level && !wall) continue;
+      // Long planes have exact normals: their angle is known to about rmse / (extent √n), which area stands for here.
+      const double w = (level ? 1 : kWallWeight) * area;
+      cost += level ? Eigen::Matrix3d(w * (Eigen::Matrix3d::Identity() - plane.normal * plane.normal.transpose()))
+                    : Eigen::Matrix3d(w * plane.normal * plane.normal.transpose());
+      const double angle = level ? std::acos(std::min(1.0, c)) : std::asin(c);
+      squares += w * angle * angle;
+      weights += w;
+      weight_squares += w * w;
+      agreeing += area;
+      ++(level ? result.level : result.walls);
+    }
+    if (weights <= 0) break;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cost);
+    up = solver.eigenvectors().col(0);
+    if (up.z() < 0) up = -up;
+    const double effective = weights * weights / weight_squares;  // number of planes that count
+    result.uncertainty = std::sqrt(squares / weights / effective) + 0.1 * kDegree;
+    result.share = agreeing / all;
+  }
+  result.up = up;
+  return result;
+}
+
+struct Floor {
+  double level = 0;
+  bool found = false;
+  double area = 0;
+};
+
+/// The lowest large level plane that the cloud does not go on below. With several levels the lowest counts that has at
+/// least 15 % of the area of the largest.
+Floor find_floor(const Cloud& cloud, std::span<const PlaneFit> planes, const Eigen::Quaterniond& rotation) {
+  const Eigen::Vector3d up = rotation.inverse() * Eigen::Vector3d::UnitZ();
+  std::vector<double> heights;
+  const std::size_t step = std::max<std::size_t>(1, cloud.size() / 20000);
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    if (cloud.valid(i)) heights.push_back(up.dot(cloud.position(i)));
+  }
+  if (heights.empty()) return {};
+  std::sort(heights.begin(), heights.end());
+  const auto below = [&](double z) {
+    return static_cast<double>(std::lower_bound(heights.begin(), heights.end(), z) - heights.begin()) / static_cast<double>(heights.size());
+  };
+  std::vector<std::pair<double, double>> levels;  // height, area
+  double largest = 0;
+  for (const PlaneFit& plane : planes) {
+    if (std::abs(plane.normal.dot(up)) < std::cos(6 * kDegree) || plane.spread_area() < 0.3) continue;
+    const double z = up.dot(cloud.origin + plane.centroid);
+    // Under a floor there are stray points at most; under a ceiling there is the room.
+    if (below(z - 0.25) > 0.05 || below(z + 0.25) > 0.9) continue;
+    if (cloud.viewpoint && up.dot(*cloud.viewpoint) < z) continue;
+    levels.emplace_back(z, plane.spread_area());
+    largest = std::max(largest, plane.spread_area());
+  }
+  std::sort(levels.begin(), levels.end());
+  for (const auto& [z, area] : levels) {
+    if (area >= 0.15 * largest) return {z, true, area};
+  }
+  return {heights[heights.size() / 1000], false, 0};
+}
+
+}  // namespace
+
+Upright estimate_upright(const Cloud& cloud, std::span<const PlaneFit> planes, const std::optional<Eigen::Vector3d>& up,
+                         const std::optional<double>& floor_z) {
+  Upright result;
+  Estimate estimate;
+  if (up) {
+    if (!up->allFinite() || up->norm() < 1e-9) throw Error("the up direction has no length; give three numbers such as 0 0 1");
+    estimate.up = up->normalized();
+    result.explanation = "Up was given";
+    result.confidence = 1;
+  } else {
+    std::vector<Eigen::Vector3d> directions = candidates(planes);
+    double best = -1;
+    for (const Eigen::Vector3d& direction : directions) {
+      const double sum = support(planes, direction);
+      if (sum > best) best = sum, estimate.up = direction;
+    }
+    estimate = refined(planes, estimate.up);
+    const double tilt = std::acos(std::min(1.0, estimate.up.z()));
+    result.confidence = estimate.level + estimate.walls == 0 ? 0.1 : std::min(1.0, estimate.share) * (1 - 0.5 / (estimate.level + estimate.walls));
+    if (estimate.level + estimate.walls == 0) {
+      result.explanation = "No plane tells which way is up; the file's z axis was taken";
+    } else {
+      result.explanation = "Up follows from " + count_of(estimate.level, "level plane") + " and " + count_of(estimate.walls, "upright plane");
+      // Rotating a well-levelled scan by less than the estimate is worth would only blur its coordinates.
+      const bool as_is = tilt <= std::min(2 * estimate.uncertainty + 0.1 * kDegree, 1.0 * kDegree);
+      if (as_is) estimate.up = Eigen::Vector3d::UnitZ();
+      result.explanation += as_is ? "; the file's z axis is level within " + fixed(std::max(tilt, estimate.uncertainty) / kDegree, 1) + " degrees"
+                                  : "; the file's z axis is " + fixed(tilt / kDegree, 1) + " degrees off and was put right";
+    }
+  }
+  result.rotation = estimate.up.z() < -0.999999 ? Eigen::Quaterniond(0, 1, 0, 0)
+                                                : Eigen::Quaterniond::FromTwoVectors(estimate.up, Eigen::Vector3d::UnitZ());
+  if (estimate.up == Eigen::Vector3d::UnitZ()) result.rotation = Eigen::Quaterniond::Identity();
+  if (floor_z) {
+    if (!std::isfinite(*floor_z)) throw Error("the floor level is not a number");
+    result.floor_z = *floor_z;
+    result.floor_found = true;
+    result.explanation += "; the floor level was given.";
+    return result;
+  }
+  const Floor floor = find_floor(cloud, planes, result.rotation);
+  result.floor_z = floor.level;
+  result.floor_found = floor.found;
+  result.explanation += floor.found ? "; the floor is a plane of " + fixed(floor.area, 1) + " m² at z = " + fixed(floor.level, 2) + "."
+                                    : "; no floor is visible, heights count from the lowest points at z = " + fixed(floor.level, 2) + ".";
+  if (!floor.found) result.confidence *= 0.7;
+  return result;
+}
+
+}  // namespace scenelore::perception
