@@ -14,6 +14,9 @@ struct FeatureTable {
   std::vector<std::vector<double>> values;  ///< [plane][feature]
 };
 
+/// No class gets less than this, so that −ln P stays finite (27.6 nats): evidence alone rules nothing out.
+inline constexpr double kLeastProbability = 1e-12;
+
 /// What one feature says about one plane and class.
 struct Contribution {
   std::string feature;
@@ -26,9 +29,14 @@ struct Contribution {
 /// [plane][class], each row sums to one. Setting `combination`:
 /// `product` (default): ln P(C|Φ) = ln π_C + Σ F_i ln p(x_i|C) − ln Z (log-linear pooling);
 /// `mean`: P(C|Φ) = Σ P(C|x_i) F_i / Σ F_i (Goldhoorn & Hartanto 2014, equation 1), P(C|x_i) by Bayes' theorem.
+/// Densities are per unit of the feature's scale: a histogram (class_density), else a Gaussian (class_feature), else
+/// uniform over the feature's range, for the fallback class and for any class without a row alike: a class without rows
+/// "says nothing" and wins only what fits no other class. Setting `outlier_share` ε (0 without a row) mixes the uniform
+/// density u in: (1 − ε) p + ε u. Outside all its bins a histogram counts as 1e-6 u. Features of weight 0, features
+/// that the table lacks and NaN values are left out. Without any known feature P(C|Φ) is the prior.
 [[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features);
 
-/// The terms behind one entry of preclassify, in the order of the knowledge's features.
+/// The terms behind one entry of preclassify, in the order of the knowledge's features; those left out are left out.
 [[nodiscard]] std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features,
                                                       std::size_t plane, std::size_t object_class);
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +48,12 @@ struct QueryRow {
   std::vector<ValueType> types;
 };
 
+/// What stops a query that takes too long.
+struct QueryLimits {
+  double seconds = std::numeric_limits<double>::infinity();
+  const std::atomic<bool>* interrupt = nullptr;  ///< set from a signal handler or another thread
+};
+
 enum class Access { read_only, read_write };
 
 /// Owns the connection. Every writing function is one transaction: a kill leaves the file as it was before.
@@ -68,7 +76,8 @@ class KnowledgeBase {
   [[nodiscard]] std::vector<Scan> scans() const;                                     ///< by id
   [[nodiscard]] std::optional<Scan> find_scan(const std::string& name) const;
   /// Stores a scan and its planes. A scan of the same name is replaced; its `truth` rows move to the new planes that
-  /// share most of their points. Returns the scan's id (kept on replacement); `warnings` gets a sentence per truth row
+  /// share most of their points (more than half of the points of each). The same source and the same planes keep plane ids,
+  /// truth and labels. Returns the scan's id (kept on replacement); `warnings` gets a sentence per truth row
   /// that found no plane.
   ScanId store_scan(const Scan& scan, const std::vector<perception::Plane>& planes,
                     const std::vector<std::int32_t>& plane_of_point, std::vector<std::string>* warnings = nullptr);
@@ -80,8 +89,9 @@ class KnowledgeBase {
   /// Adds to the catalogue the features that it does not have yet (those of Lua files), with weight 0: a person who wants
   /// one to count sets its weight and writes class_feature rows. Writes nothing when there is none to add.
   void register_features(const std::vector<Feature>& features);
-  /// Features that the catalogue lacks are left out.
+  /// Replaces the planes' feature values. NaN stores nothing; features that the catalogue lacks are left out.
   void store_features(const std::vector<PlaneId>& planes, const FeatureTable& features);
+  /// NaN where a plane has no value; columns by name.
   [[nodiscard]] FeatureTable features(const std::vector<PlaneId>& planes) const;
   /// Replaces everything inferred about the scan before. Returns the run's id.
   std::int64_t store_inference(ScanId scan, const Inference& inference);
@@ -91,7 +101,7 @@ class KnowledgeBase {
   /// Runs one statement that only reads (an authorizer refuses the rest); `header` gets the column names first.
   /// Values print as sqlite3's shell does: reals with up to 15 digits.
   void query(const std::string& sql, const std::function<void(const std::vector<std::string>&)>& header,
-             const std::function<void(const QueryRow&)>& row) const;
+             const std::function<void(const QueryRow&)>& row, const QueryLimits& limits = {}) const;
 
  private:
   struct Implementation;

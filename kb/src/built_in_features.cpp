@@ -1,0 +1,41 @@
+// The catalogue's built-in features, from the stored planes.
+#include <limits>
+
+#include "scenelore/kb/knowledge_base.hpp"
+
+namespace scenelore::kb {
+
+namespace {
+
+// Middle of the box around all planes, in the upright frame; the mean of centroids would move with what is visible.
+Eigen::Vector3d centre_of(const Scan& scan, const std::vector<StoredPlane>& planes) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  const auto add = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d upright = scan.rotation * point;
+    low = low.cwiseMin(upright);
+    high = high.cwiseMax(upright);
+  };
+  for (const StoredPlane& stored : planes) {
+    add(stored.plane.centroid);
+    for (const Eigen::Vector3d& corner : stored.plane.hull.outer) add(corner);
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>& planes) {
+  FeatureTable table;
+  table.names = {"area_m2", "length", "width", "rectangularity", "tilt_deg",      "height",    "x",
+                 "y",       "z_min",  "z_max", "rmse",           "point_density", "facing_up", "seen_share"};
+  const Eigen::Vector3d centre = centre_of(scan, planes);
+  for (const StoredPlane& stored : planes) {
+    const perception::Plane& p = stored.plane;
+    const Eigen::Vector3d at = scan.rotation * p.centroid - centre;
+    table.values.push_back({p.area_m2, p.length, p.width, p.rectangularity, p.tilt_deg, p.height, at.x(), at.y(),
+                            p.z_min, p.z_max, p.rmse, p.point_density, p.facing_up, p.seen_share});
+  }
+  return table;
+}
+
+}  // namespace scenelore::kb

@@ -1,0 +1,150 @@
+// Pre-classification. Notation: π_C prior of class C, normalised over the classes; F_i weight of feature i; x_i its value.
+//
+//   product:  ln P(C|Φ) = ln π_C + Σ_i F_i ln p(x_i|C) − ln Z                                                      (3)
+//   mean:     P(C|x_i) = p(x_i|C) π_C / Σ_D p(x_i|D) π_D,   P(C|Φ) = Σ_i F_i P(C|x_i) / Σ_i F_i                    (4)
+//
+// (4) is equation 1 of Goldhoorn & Hartanto 2014. Sums run over the features that are known of the plane; without any,
+// P(C|Φ) = π_C in both. All is computed in logarithms, so nothing underflows before the last step.
+#include "scenelore/kb/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "likelihood.hpp"
+
+namespace scenelore::kb {
+
+namespace {
+
+struct FeatureModel {
+  const Feature* feature = nullptr;
+  std::size_t column = 0;                 // in the feature table
+  std::vector<Likelihood> likelihoods;    // one a class
+};
+
+class Model {
+ public:
+  Model(const Knowledge& knowledge, const FeatureTable& table);
+
+  [[nodiscard]] std::vector<double> product(const std::vector<double>& values) const;
+  [[nodiscard]] std::vector<double> mean(const std::vector<double>& values) const;
+  [[nodiscard]] const std::vector<FeatureModel>& features() const { return features_; }
+
+ private:
+  [[nodiscard]] std::vector<Likelihood> likelihoods(const Knowledge& knowledge, const Feature& feature, double outlier_share) const;
+  std::vector<double> log_priors_;
+  std::vector<FeatureModel> features_;  // used ones: weight above 0 and a column in the table
+};
+
+// exp and normalise. Returns the probabilities; safe for any finite logarithms.
+std::vector<double> normalised(std::vector<double> logs) {
+  const double highest = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (double& value : logs) sum += value = std::exp(value - highest);
+  for (double& value : logs) value /= sum;
+  return logs;
+}
+
+std::vector<double> log_priors(const Knowledge& knowledge) {
+  double sum = 0;
+  for (const ObjectClass& c : knowledge.classes) sum += c.prior;
+  std::vector<double> result;
+  for (const ObjectClass& c : knowledge.classes) result.push_back(std::log(c.prior / sum));
+  return result;
+}
+
+Model::Model(const Knowledge& knowledge, const FeatureTable& table) : log_priors_(log_priors(knowledge)) {
+  const double outlier_share = std::strtod(knowledge.setting("outlier_share", "0").c_str(), nullptr);
+  for (const Feature& feature : knowledge.features) {
+    const auto column = std::find(table.names.begin(), table.names.end(), feature.name);
+    if (column == table.names.end() || feature.weight <= 0) continue;
+    features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()),
+                         likelihoods(knowledge, feature, outlier_share)});
+  }
+}
+
+std::vector<Likelihood> Model::likelihoods(const Knowledge& knowledge, const Feature& feature, double outlier_share) const {
+  std::map<std::string, const ClassFeature*> gaussians;
+  std::map<std::string, std::vector<ClassDensity>> bins;
+  for (const ClassFeature& row : knowledge.class_features) {
+    if (row.feature == feature.name) gaussians[row.object_class] = &row;
+  }
+  for (const ClassDensity& row : knowledge.class_densities) {
+    if (row.feature == feature.name) bins[row.object_class].push_back(row);
+  }
+  std::vector<Likelihood> result;
+  for (const ObjectClass& c : knowledge.classes) {
+    std::vector<ClassDensity>& of_class = bins[c.name];
+    std::sort(of_class.begin(), of_class.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
+    const auto gaussian = gaussians.find(c.name);
+    result.emplace_back(feature, gaussian == gaussians.end() ? nullptr : gaussian->second, of_class, outlier_share);
+  }
+  return result;
+}
+
+// Equation (3).
+std::vector<double> Model::product(const std::vector<double>& values) const {
+  std::vector<double> logs = log_priors_;
+  for (const FeatureModel& model : features_) {
+    const double value = values[model.column];
+    if (std::isnan(value)) continue;
+    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(value);
+  }
+  return normalised(std::move(logs));
+}
+
+// Equation (4).
+std::vector<double> Model::mean(const std::vector<double>& values) const {
+  std::vector<double> sum(log_priors_.size(), 0.0);
+  double weights = 0;
+  for (const FeatureModel& model : features_) {
+    const double value = values[model.column];
+    if (std::isnan(value)) continue;
+    std::vector<double> logs = log_priors_;
+    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.likelihoods[c].log_density(value);
+    const std::vector<double> posterior = normalised(std::move(logs));
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += model.feature->weight * posterior[c];
+    weights += model.feature->weight;
+  }
+  if (weights == 0) return normalised(log_priors_);
+  for (double& probability : sum) probability /= weights;
+  return sum;
+}
+
+// No class is ruled out by evidence alone: −ln P stays finite, so that a constraint or a person can still speak for it.
+void keep_possible(std::vector<double>& probabilities) {
+  double sum = 0;
+  for (double& p : probabilities) sum += p = std::max(p, kLeastProbability);
+  for (double& p : probabilities) p /= sum;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features) {
+  std::vector<std::vector<double>> result;
+  if (knowledge.classes.empty()) return std::vector<std::vector<double>>(features.values.size());
+  const Model model(knowledge, features);
+  const bool mean = knowledge.setting("combination", "product") == "mean";
+  for (const std::vector<double>& values : features.values) {
+    result.push_back(mean ? model.mean(values) : model.product(values));
+    keep_possible(result.back());
+  }
+  return result;
+}
+
+std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features, std::size_t plane,
+                                        std::size_t object_class) {
+  std::vector<Contribution> result;
+  for (const Model model(knowledge, features); const FeatureModel& f : model.features()) {
+    const double value = features.values[plane][f.column];
+    if (std::isnan(value)) continue;
+    const Likelihood& likelihood = f.likelihoods[object_class];
+    result.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(), likelihood.log_density(value),
+                      f.feature->weight});
+  }
+  return result;
+}
+
+}  // namespace scenelore::kb

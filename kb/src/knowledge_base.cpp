@@ -1,0 +1,138 @@
+// Making, opening and closing the file; what it knows.
+#include "scenelore/kb/knowledge_base.hpp"
+
+#include <unistd.h>
+
+#include "implementation.hpp"
+#include "knowledge_rows.hpp"
+#include "schema.hpp"
+
+namespace scenelore::kb {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Deletes a file that was not finished.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(fs::path path) : path_(std::move(path)) { remove(); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { remove(); }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  void remove() const {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  fs::path path_;
+};
+
+[[noreturn]] void refuse_existing(const fs::path& path) {
+  throw Error(path.string() + ": exists already and is never overwritten; choose another name or delete it first");
+}
+
+// Gives a finished file its name. A hard link fails where the name is taken, in one step; some file systems have none.
+void publish(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_hard_link(from, to, error);
+  if (!error) return;
+  if (fs::exists(to)) refuse_existing(to);
+  fs::rename(from, to, error);
+  if (error) throw Error(to.string() + ": cannot be written: " + error.message());
+}
+
+void check_exists(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    throw Error(path.string() + ": there is no such file; make one with: scenelore kb init " + path.string());
+  }
+  if (fs::is_directory(status)) throw Error(path.string() + ": is a folder, not a knowledge base file");
+  const auto size = fs::file_size(path, error);
+  if (!error && size == 0) throw Error(path.string() + ": is empty, so no knowledge base");
+}
+
+// At rest the file has one part. GIS programs leave it in WAL mode, which this undoes; it fails, and does not matter,
+// while another program has the file open.
+void leave_wal_mode(Database& database) {
+  try {
+    database.execute("PRAGMA journal_mode = DELETE");
+  } catch (const Error&) {
+  }
+}
+
+// A file in WAL mode in a folder where nothing may be written can be read only as if it never changed; that is safe
+// when no journal lies beside it.
+bool has_no_journal(const fs::path& path) {
+  for (const char* const suffix : {"-wal", "-journal"}) {
+    std::error_code error;
+    const auto size = fs::file_size(path.string() + suffix, error);
+    if (!error && size > 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+KnowledgeBase::KnowledgeBase(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+KnowledgeBase::KnowledgeBase(KnowledgeBase&&) noexcept = default;
+KnowledgeBase& KnowledgeBase::operator=(KnowledgeBase&&) noexcept = default;
+KnowledgeBase::~KnowledgeBase() = default;
+
+KnowledgeBase KnowledgeBase::create(const fs::path& path, const std::string& knowledge) {
+  if (fs::exists(path)) refuse_existing(path);
+  const TemporaryFile temporary(path.string() + "." + std::to_string(getpid()) + ".tmp");
+  {
+    Database database(temporary.path(), OpenMode::create);
+    database.execute("PRAGMA journal_mode = MEMORY");  // nothing to save from a crash yet
+    create_schema(database, knowledge);
+    validate(read_knowledge(database), "knowledge pack " + knowledge);
+  }
+  publish(temporary.path(), path);
+  return open(path);
+}
+
+KnowledgeBase KnowledgeBase::open(const fs::path& path, Access access) {
+  check_exists(path);
+  const OpenMode mode = access == Access::read_only ? OpenMode::read_only : OpenMode::read_write;
+  auto implementation = std::make_unique<Implementation>(path, mode);
+  int version = 0;
+  try {
+    version = check_schema(implementation->database);
+  } catch (const Error&) {
+    if (access == Access::read_write && !implementation->database.read_only()) {
+      if (::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) == 0) throw;
+    }
+    if (!has_no_journal(path)) throw;
+    implementation = std::make_unique<Implementation>(path, OpenMode::immutable);
+    version = check_schema(implementation->database);
+  }
+  Database& database = implementation->database;
+  if (version < kSchemaVersion) {
+    if (access == Access::read_only || database.read_only()) {
+      throw Error(database.name() + ": has the older schema version " + std::to_string(version) +
+                  " and must be brought up to version " + std::to_string(kSchemaVersion) +
+                  ": open it once for writing, where you may write");
+    }
+    migrate_schema(database, version);
+  }
+  if (version > kSchemaVersion && access == Access::read_write) {
+    throw Error(database.name() + ": was written by a newer Scenelore (schema version " + std::to_string(version) +
+                "); this program can read it, but must not write it: update Scenelore");
+  }
+  if (access == Access::read_write && !database.read_only()) leave_wal_mode(database);
+  return KnowledgeBase(std::move(implementation));
+}
+
+Knowledge KnowledgeBase::knowledge() const {
+  Knowledge knowledge = read_knowledge(implementation_->database);
+  validate(knowledge, implementation_->database.name());
+  return knowledge;
+}
+
+std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(implementation_->database); }
+
+}  // namespace scenelore::kb

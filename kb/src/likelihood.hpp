@@ -1,0 +1,50 @@
+// p(x|C): what one feature's value is worth under one class.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "scenelore/kb/knowledge.hpp"
+
+namespace scenelore::kb {
+
+/// ln p0 below which no histogram falls, relative to the uniform density: a value outside all bins, or in an empty one,
+/// counts as a millionth of uniform, not as impossible. Doubt is expressed by the setting `outlier_share`; this only
+/// keeps the logarithm finite where that is 0.
+inline constexpr double kLogDensityFloor = -13.815510557964274;  // ln 1e-6
+
+/// A value on the scale of its feature: ln x for log (values below `low`, zero and negative ones too, count as `low`,
+/// since a logarithm has no smaller sensible value), x itself else.
+[[nodiscard]] double on_scale(const Feature& feature, double value);
+
+/// Length of the feature's range on its scale; the uniform density is 1 / range.
+[[nodiscard]] double range_on_scale(const Feature& feature);
+
+/// The density of one feature given one class: a histogram where there are class_density rows, else a Gaussian where
+/// there is a class_feature row, else uniform over the feature's range (also for values outside it).
+/// Densities are per unit of the scale, so that all classes are compared in the same unit.
+class Likelihood {
+ public:
+  /// `outlier_share` ε mixes in the uniform density u: p = (1 − ε) p0 + ε u.   (1)
+  Likelihood(const Feature& feature, const ClassFeature* gaussian, std::vector<ClassDensity> bins, double outlier_share);
+
+  [[nodiscard]] double log_density(double value) const;
+  /// NaN where no Gaussian decides.
+  [[nodiscard]] double mean() const { return mean_; }
+  [[nodiscard]] double sigma() const { return sigma_; }
+
+ private:
+  [[nodiscard]] double log_own(double value) const;
+  [[nodiscard]] double log_gaussian(double value) const;
+  [[nodiscard]] double log_histogram(double value) const;
+
+  const Feature* feature_;
+  double mean_ = std::numeric_limits<double>::quiet_NaN(), sigma_ = mean_;
+  std::vector<ClassDensity> bins_;  // by low
+  double log_uniform_, outlier_share_;
+};
+
+/// ln(eᵃ + eᵇ) without overflow.
+[[nodiscard]] double log_add(double a, double b);
+
+}  // namespace scenelore::kb

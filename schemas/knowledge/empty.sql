@@ -1,0 +1,1 @@
+-- Knowledge pack "empty": nothing but the features and the unknown class. Everything is unknown until rows say more.

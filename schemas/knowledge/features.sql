@@ -1,0 +1,27 @@
+-- The start of every knowledge pack: the built-in features, the unknown class, the settings.
+-- Weights: sizes say the same thing three times (area ~ length x width x rectangularity), and so do the height of the
+-- centroid and of the two edges; their weights are below 1 so that the product does not count one observation thrice.
+INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
+  ('area_m2',        'm2',   'log',    0.002, 100,  0.5, 'area of the alpha hull'),
+  ('length',         'm',    'log',    0.03,  30,   0.7, 'longer side of the minimum-area rectangle'),
+  ('width',          'm',    'log',    0.01,  12,   0.7, 'shorter side of the minimum-area rectangle'),
+  ('rectangularity', '1',    'linear', 0,     1,    0.5, 'share of that rectangle which the hull fills'),
+  ('tilt_deg',       'deg',  'linear', 0,     90,   1,   'angle between normal and vertical: 0 = horizontal plane, 90 = vertical'),
+  ('height',         'm',    'linear', -0.5,  4,    1,   'centroid above the floor'),
+  ('z_min',          'm',    'linear', -0.5,  4,    0.5, 'lower edge above the floor'),
+  ('z_max',          'm',    'linear', -0.5,  4,    0.5, 'upper edge above the floor'),
+  ('x',              'm',    'linear', -20,   20,   0,   'centroid along the upright frame''s x, from the middle of the scan'),
+  ('y',              'm',    'linear', -20,   20,   0,   'centroid along the upright frame''s y, from the middle of the scan'),
+  ('rmse',           'm',    'log',    0.0002, 0.1, 0,   'root of the mean squared distance of its points'),
+  ('point_density',  '1/m2', 'log',    1,     1e6,  0,   'points a square metre: depends on the distance to the sensor'),
+  ('facing_up',      '1',    'linear', -1,    1,    0,   'z of the normal on the sensor''s side; 1 = seen from above, -1 = from below'),
+  ('seen_share',     '1',    'linear', 0,     1,    0,   'share of the hull that holds points');
+
+INSERT INTO object_class (id, name, prior, color, fallback, description) VALUES
+  (0, 'unknown', 0.30, '#9e9e9e', 1, 'what fits nothing: books, boxes, plants, people');
+
+INSERT INTO setting (key, value, description) VALUES
+  ('combination',     'product', 'how features combine: product (weights as exponents) or mean (equation 1 of the paper)'),
+  ('floor',           'ranked',  'where the search starts: ranked (by cost) or threshold (the paper: a floor with at least floor_threshold)'),
+  ('floor_threshold', '0.4',     'probability that the first floor needs; used with floor = threshold'),
+  ('outlier_share',   '0.002',   'share of values that do not follow their class''s density, 0 to 0.5: bounds what one odd value can do');

@@ -1,0 +1,116 @@
+#include "scenelore/kb/knowledge_base.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "rooms.hpp"
+#include "scenelore/kb/error.hpp"
+
+namespace scenelore::kb {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::ask;
+using testing::error_of;
+using testing::TemporaryFolder;
+
+TEST(KnowledgeBase, CreatesEachPackWithKnowledgeThatPassesItsOwnChecks) {
+  const TemporaryFolder folder;
+  const KnowledgeBase office = KnowledgeBase::create(folder / "office.gpkg");
+  EXPECT_EQ(office.knowledge().classes.size(), 14U);
+  EXPECT_EQ(office.knowledge().setting("combination", ""), "product");
+  const Knowledge paper = KnowledgeBase::create(folder / "paper.gpkg", "paper").knowledge();
+  EXPECT_EQ(paper.setting("combination", ""), "mean");
+  EXPECT_EQ(paper.setting("floor_threshold", ""), "0.4");
+  for (const ClassConstraint& c : paper.constraints) EXPECT_FALSE(c.weight) << c.name;
+  const Knowledge empty = KnowledgeBase::create(folder / "empty.gpkg", "empty").knowledge();
+  ASSERT_EQ(empty.classes.size(), 1U);
+  EXPECT_TRUE(empty.classes[0].fallback);
+}
+
+TEST(KnowledgeBase, NeverOverwritesAFile) {
+  const TemporaryFolder folder;
+  test::write_file(folder / "office.gpkg", "mine");
+  EXPECT_THAT(error_of([&] { KnowledgeBase::create(folder / "office.gpkg"); }), HasSubstr("never overwritten"));
+  EXPECT_EQ(test::read_file(folder / "office.gpkg"), "mine");
+}
+
+TEST(KnowledgeBase, RefusesAnUnknownPackAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of([&] { KnowledgeBase::create(folder / "a.gpkg", "kitchen"); }), HasSubstr("no knowledge pack 'kitchen'"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(KnowledgeBase, GivesBackAScanAsItWasStored) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  testing::Room room = testing::room();
+  room.scan.origin = {690000, 5330000, 510};
+  room.scan.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX());
+  room.scan.floor_z = -1.25;
+  const ScanId id = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  const std::optional<Scan> scan = base.find_scan("room");
+  ASSERT_TRUE(scan);
+  EXPECT_EQ(scan->id, id);
+  EXPECT_EQ(scan->origin, room.scan.origin);
+  EXPECT_EQ(scan->rotation.coeffs(), room.scan.rotation.coeffs());
+  EXPECT_EQ(scan->floor_z, -1.25);
+  EXPECT_EQ(scan->parameters, room.scan.parameters);
+  EXPECT_EQ(scan->imported_at, room.scan.imported_at);
+  const std::vector<StoredPlane> planes = base.planes(id);
+  ASSERT_EQ(planes.size(), room.planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const perception::Plane &stored = planes[i].plane, &given = room.planes[i];
+    EXPECT_EQ(stored.centroid, given.centroid);
+    EXPECT_EQ(stored.normal, given.normal);
+    EXPECT_EQ(stored.orientation.coeffs(), given.orientation.coeffs());
+    EXPECT_EQ(stored.hull.outer, given.hull.outer);
+    EXPECT_EQ(stored.hull.holes, given.hull.holes);
+    EXPECT_EQ(stored.area_m2, given.area_m2);
+    EXPECT_EQ(stored.tilt_deg, given.tilt_deg);
+    EXPECT_EQ(stored.z_max, given.z_max);
+    EXPECT_EQ(stored.rmse, given.rmse);
+    EXPECT_EQ(stored.seen_share, given.seen_share);
+    EXPECT_EQ(stored.point_count, given.point_count);
+  }
+  const std::vector<std::int64_t> of_point = base.plane_of_point(id);
+  ASSERT_EQ(of_point.size(), 450U);
+  EXPECT_EQ(of_point[150], planes[1].id);
+  EXPECT_EQ(of_point[449], -1);
+}
+
+TEST(KnowledgeBase, StoresTheInferenceAndReplacesItAsAWhole) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const testing::Room room = testing::room();
+  const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  Inference inference = testing::inference(base.planes(scan));
+  inference.labels[0].margin = std::numeric_limits<double>::infinity();
+  const std::int64_t first = base.store_inference(scan, inference);
+  const auto labels = ask(base, "SELECT * FROM label");
+  EXPECT_EQ(base.store_inference(scan, inference), first);
+  EXPECT_EQ(ask(base, "SELECT * FROM label"), labels);
+  EXPECT_THAT(ask(base, "SELECT a, b FROM labelled_relation WHERE relation = 'above' AND a_class = 'flat_screen' AND b_class = 'table'"),
+              ElementsAre("4|3"));
+  EXPECT_THAT(ask(base, "SELECT class, planes FROM class_count ORDER BY class"),
+              ElementsAre("flat_screen|1", "floor|1", "table|1", "wall|1"));
+  EXPECT_THAT(ask(base, "SELECT plane, evidence FROM labelled_plane WHERE class = 'table'"), ElementsAre("3|0.8"));
+  EXPECT_THAT(ask(base, "SELECT plane FROM needs_review LIMIT 2"), ElementsAre("2", "3"));  // the floor's margin is infinite
+  EXPECT_EQ(base.labels(scan)[0].margin, std::numeric_limits<double>::infinity());
+  ASSERT_EQ(base.reasons(4).size(), 2U);
+  EXPECT_EQ(base.reasons(4)[1].other_plane, 3);
+  inference.labels.clear();
+  inference.alternatives.clear();
+  inference.reasons.clear();
+  inference.facts.clear();
+  base.store_inference(scan, inference);
+  EXPECT_TRUE(base.labels(scan).empty());
+  EXPECT_THAT(ask(base, "SELECT (SELECT count(*) FROM reason) + (SELECT count(*) FROM alternative) + (SELECT count(*) FROM relation_fact)"),
+              ElementsAre("0"));
+}
+
+}  // namespace
+}  // namespace scenelore::kb
