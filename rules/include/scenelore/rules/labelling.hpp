@@ -1,6 +1,7 @@
 // From evidence, facts and constraint rows to an engine problem, and back to labels with reasons.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,25 @@ namespace scenelore::rules {
 /// Names of the relations that enabled constraint rows use. Throws Error with "did you mean" for one that `rules` lacks.
 [[nodiscard]] std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const RuleSet& rules);
 
+/// Where a constraint of the problem comes from.
+struct ConstraintOrigin {
+  int row = -1;  ///< index into Knowledge::constraints
+  int a = -1;    ///< index into Scene::planes of the plane that the row speaks about, −1 = the whole scene
+  int b = -1;    ///< the other plane of a pair, −1 = several
+};
+
+/// How the floor to start from was found under `floor` = `threshold`.
+struct FloorStart {
+  int plane = -1;  ///< index into Scene::planes; the most likely one when none reaches the threshold
+  bool found = false;
+  double probability = 0, threshold = 0;
+};
+
+/// Finite stand-ins, in nats: for −ln 0, and for a hard row that what is known for certain (truth, the floor to start
+/// from, a hard `at_least` of the scene) leaves no way to keep. With them a valid world model always exists.
+inline constexpr double kImpossibleEvidence = 60;
+inline constexpr double kBrokenRow = 1000;
+
 /// An engine problem about a scene: one variable a plane (by height, bottom up), one label a class.
 struct LabellingProblem {
   engine::Problem problem;
@@ -24,10 +44,17 @@ struct LabellingProblem {
   std::vector<int> variable_of_plane;
   std::vector<std::vector<int>> class_of_label;      ///< [variable][label] → index into Knowledge::classes, best first
   std::vector<std::vector<int>> label_of_class;      ///< [variable][class] → label, −1 = ruled out (truth)
+  std::vector<ConstraintOrigin> origins;             ///< one a constraint of the problem
+  std::optional<FloorStart> floor;                   ///< only under `floor` = `threshold`
 };
 
+/// A hard row, and the counting of at_most and at_least, take a relation as holding from this degree on; setting
+/// `hold_degree`, 0.5 without one. Soft rows use the degree itself.
+[[nodiscard]] double hold_degree(const kb::Knowledge& knowledge);
+
 /// Unary cost = −ln P(C|Φ); constraints by the semantics of docs/rules.md; `truth` fixes labels. Constraint reference = rowid.
-/// Setting `floor` = `ranked` (default): floor is chosen by cost; `threshold`: the paper's start, a floor has P ≥ `floor_threshold`.
+/// Setting `floor` = `ranked` (default): floor is chosen by cost; `threshold`: the paper's start, the lowest plane with
+/// P(floor) ≥ `floor_threshold` (0.4) is the floor. Throws Error for rows, truth or evidence that name or hold nonsense.
 [[nodiscard]] LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
                                        const std::vector<std::vector<double>>& evidence, const Facts& facts,
                                        const std::vector<std::pair<kb::PlaneId, std::string>>& truth);

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,31 +22,44 @@ struct Budget {
   std::int64_t instructions = 10'000'000;
   std::chrono::milliseconds time{2000};
   std::size_t memory_bytes = 16u << 20;
+  std::chrono::milliseconds total{60'000};  ///< for all calls of one relation (or feature) on one scene
 };
 
 struct RelationInfo {
   std::string name, summary, file;
-  double within = 0;  ///< metres
+  double within = 0;       ///< metres between the boxes; infinite = no limit
+  double within_plan = 0;  ///< the same seen from above
   bool symmetric = false;
+  std::map<std::string, double> tolerances;  ///< named fields, as they are in force; booleans as 0 and 1
 };
 
 /// What the relations cost and found.
 struct RelationCount {
   std::string relation;
-  std::int64_t asked = 0, held = 0;
+  std::int64_t asked = 0, held = 0;  ///< ordered pairs; held = with a degree above 0
   double milliseconds = 0;
+};
+
+/// How far a relation reaches: planes whose boxes are further apart than this are none of its business.
+struct Reach {
+  double within = std::numeric_limits<double>::infinity();
+  double within_plan = std::numeric_limits<double>::infinity();
 };
 
 struct Facts {
   std::vector<kb::RelationFact> facts;  ///< by relation, a, b
   std::vector<RelationCount> counts;
+  std::map<std::string, Reach> reach;  ///< by relation; one without an entry reaches everywhere
 };
 
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
-/// replaces a built-in one of the same name. Each file runs in a sandboxed state of its own.
+/// replaces a built-in one of the same name. Each file runs in a sandboxed state of its own. Not safe for concurrent use.
 class RuleSet {
  public:
-  static RuleSet load(const std::vector<std::filesystem::path>& directories = {}, Budget budget = {});
+  /// `settings` named `relation.tolerance` (say `above.reach` = `0.4`) replace tolerances of relations; the others are
+  /// not looked at. Throws Error naming file, line and field for a broken file, and for a setting that fits nothing.
+  static RuleSet load(const std::vector<std::filesystem::path>& directories = {}, Budget budget = {},
+                      const std::map<std::string, std::string>& settings = {});
   RuleSet(RuleSet&&) noexcept;
   RuleSet& operator=(RuleSet&&) noexcept;
   ~RuleSet();
@@ -53,10 +68,12 @@ class RuleSet {
   [[nodiscard]] std::vector<kb::Feature> features() const;    ///< of Lua feature files; weight 1
   [[nodiscard]] std::string hash() const;                     ///< SHA-256 over names and texts
 
-  /// Appends the Lua features' values to `table`.
+  /// Appends the Lua features' values to `table`; NaN where a feature does not know.
   void compute_features(const Scene& scene, kb::FeatureTable& table);
   /// Which of the named relations hold between which planes; only pairs within reach are asked.
   Facts relate(const Scene& scene, const std::vector<std::string>& relations);
+  /// The degree of one relation between two planes by index, wherever they are; for checks and tests.
+  [[nodiscard]] double degree(const std::string& relation, const Scene& scene, int a, int b) const;
 
  private:
   struct Implementation;

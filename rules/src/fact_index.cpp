@@ -1,0 +1,51 @@
+#include "fact_index.hpp"
+
+#include <algorithm>
+
+#include "scenelore/rules/error.hpp"
+
+namespace scenelore::rules {
+
+FactIndex::FactIndex(const Scene& scene, const Facts& facts) : planes_(scene.planes.size()) {
+  std::map<kb::PlaneId, int> index;
+  for (std::size_t i = 0; i < scene.ids.size(); ++i) index[scene.ids[i]] = static_cast<int>(i);
+  const auto plane = [&](kb::PlaneId id, const std::string& relation) {
+    const auto found = index.find(id);
+    if (found != index.end()) return found->second;
+    throw Error("a fact of relation '" + relation + "' speaks of plane " + std::to_string(id) +
+                ", which is not in this scan");
+  };
+  std::vector<std::vector<Held>>* lists = nullptr;
+  const std::string* relation = nullptr;
+  for (const kb::RelationFact& fact : facts.facts) {
+    if (relation == nullptr || *relation != fact.relation) {
+      lists = &by_relation_[fact.relation];
+      lists->resize(planes_);
+      relation = &fact.relation;
+    }
+    if (!(fact.degree > 0 && fact.degree <= 1)) {
+      throw Error("a fact of relation '" + fact.relation + "' has degree " + std::to_string(fact.degree) +
+                  "; degrees lie above 0 and up to 1");
+    }
+    const int a = plane(fact.a, fact.relation), b = plane(fact.b, fact.relation);
+    if (a != b) (*lists)[static_cast<std::size_t>(a)].push_back({b, fact.degree});
+  }
+  for (auto& [name, by_plane] : by_relation_) {
+    for (std::vector<Held>& list : by_plane) {
+      std::sort(list.begin(), list.end(), [](const Held& h, const Held& i) { return h.b < i.b; });
+    }
+  }
+}
+
+const std::vector<FactIndex::Held>& FactIndex::held(const std::string& relation, int a) const {
+  const auto found = by_relation_.find(relation);
+  return found == by_relation_.end() ? nothing_ : found->second[static_cast<std::size_t>(a)];
+}
+
+double FactIndex::degree(const std::string& relation, int a, int b) const {
+  const std::vector<Held>& list = held(relation, a);
+  const auto found = std::lower_bound(list.begin(), list.end(), b, [](const Held& h, int plane) { return h.b < plane; });
+  return found != list.end() && found->b == b ? found->degree : 0;
+}
+
+}  // namespace scenelore::rules

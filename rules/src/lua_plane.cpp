@@ -1,0 +1,203 @@
+// Planes and geometry as Lua sees them.
+#include "rule_host.hpp"
+#include "scenelore/rules/error.hpp"
+#include "suggestion.hpp"
+
+namespace scenelore::rules {
+
+namespace {
+
+/// The block of a userdata. Only the host makes userdata, so every one is a Handle.
+struct Handle {
+  int plane;  ///< −1 = a vector
+};
+
+struct Field {
+  const char* name;
+  double (*value)(const perception::Plane& plane);
+};
+
+constexpr Field kFields[] = {
+    {"x", [](const perception::Plane& p) { return p.centroid.x(); }},
+    {"y", [](const perception::Plane& p) { return p.centroid.y(); }},
+    {"z", [](const perception::Plane& p) { return p.centroid.z(); }},
+    {"height", [](const perception::Plane& p) { return p.height; }},
+    {"area_m2", [](const perception::Plane& p) { return p.area_m2; }},
+    {"length", [](const perception::Plane& p) { return p.length; }},
+    {"width", [](const perception::Plane& p) { return p.width; }},
+    {"rectangularity", [](const perception::Plane& p) { return p.rectangularity; }},
+    {"tilt_deg", [](const perception::Plane& p) { return p.tilt_deg; }},
+    {"z_min", [](const perception::Plane& p) { return p.z_min; }},
+    {"z_max", [](const perception::Plane& p) { return p.z_max; }},
+    {"rmse", [](const perception::Plane& p) { return p.rmse; }},
+    {"facing_up", [](const perception::Plane& p) { return p.facing_up; }},
+    {"point_density", [](const perception::Plane& p) { return p.point_density; }},
+    {"seen_share", [](const perception::Plane& p) { return p.seen_share; }},
+    {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); }},
+};
+
+[[noreturn]] int no_writing(lua_State*) { throw Error("planes cannot be changed; a rule only looks at them"); }
+
+int unknown_plane_field(lua_State* state) {
+  const RuleHost& host = host_of(state);
+  std::size_t length = 0;
+  const char* key = lua_type(state, 2) == LUA_TSTRING ? lua_tolstring(state, 2, &length) : "?";
+  const std::string word(key, length);
+  throw Error("a plane has no '" + word.substr(0, 64) + "'" + did_you_mean(word, plane_fields(*host.scene)));
+}
+
+int unknown_vector_field(lua_State*) { throw Error("a normal has x, y and z only"); }
+
+int describe_plane(lua_State* state) {
+  const auto* handle = static_cast<const Handle*>(lua_touserdata(state, 1));
+  const RuleHost& host = host_of(state);
+  if (handle == nullptr || handle->plane < 0) {
+    lua_pushliteral(state, "a vector");
+  } else {
+    lua_pushfstring(state, "plane %I", static_cast<lua_Integer>(host.scene->ids[static_cast<std::size_t>(handle->plane)]));
+  }
+  return 1;
+}
+
+/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed.
+void push_handle(RuleHost& host, int plane, lua_CFunction unknown) {
+  lua_State* state = host.lua.get();
+  lua_createtable(state, 0, 1);  // of the values themselves: for names they lack
+  push_function(host, unknown);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+  *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = {plane};
+  lua_createtable(state, 0, 5);
+  lua_pushvalue(state, -3);
+  lua_setfield(state, -2, "__index");
+  push_function(host, guarded<no_writing>);
+  lua_setfield(state, -2, "__newindex");
+  push_function(host, guarded<describe_plane>);
+  lua_setfield(state, -2, "__tostring");
+  lua_pushboolean(state, 0);
+  lua_setfield(state, -2, "__metatable");
+  lua_setmetatable(state, -2);
+  lua_remove(state, -2);
+}
+
+void set_number(lua_State* state, const char* name, double value) {
+  lua_pushnumber(state, value);
+  lua_setfield(state, -2, name);
+}
+
+void make_plane(RuleHost& host, std::size_t index) {
+  lua_State* state = host.lua.get();
+  const perception::Plane& plane = host.scene->planes[index];
+  const kb::FeatureTable& features = host.scene->features;
+  lua_createtable(state, 0, static_cast<int>(std::size(kFields) + features.names.size() + 2));
+  if (index < features.values.size()) {
+    for (std::size_t f = 0; f < features.names.size(); ++f) {
+      set_number(state, features.names[f].c_str(), features.values[index][f]);
+    }
+  }
+  for (const Field& field : kFields) set_number(state, field.name, field.value(plane));
+  lua_pushinteger(state, host.scene->ids[index]);
+  lua_setfield(state, -2, "id");
+  lua_createtable(state, 0, 3);
+  set_number(state, "x", plane.normal.x());
+  set_number(state, "y", plane.normal.y());
+  set_number(state, "z", plane.normal.z());
+  push_handle(host, -1, guarded<unknown_vector_field>);
+  lua_setfield(state, -2, "normal");
+  push_handle(host, static_cast<int>(index), guarded<unknown_plane_field>);
+}
+
+using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);
+
+template <PairFunction function>
+int pair_function(lua_State* state) {
+  RuleHost& host = host_of(state);
+  const char* name = lua_tostring(state, lua_upvalueindex(2));
+  const int a = plane_argument(state, 1, name), b = plane_argument(state, 2, name);
+  lua_pushnumber(state, function(*host.geometry, a, b, state));
+  return 1;
+}
+
+double reach_argument(lua_State* state) {
+  if (lua_isnoneornil(state, 3)) return 0;
+  int is_number = 0;
+  const double reach = lua_tonumberx(state, 3, &is_number);
+  if (is_number == 0 || !(reach >= 0)) throw Error("geometry.footprint_overlap: argument 3 must be a reach in metres");
+  return reach;
+}
+
+struct GeometryFunction {
+  const char* name;
+  lua_CFunction function;
+};
+
+constexpr GeometryFunction kGeometry[] = {
+    {"angle", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.angle(a, b); }>>},
+    {"gap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.gap(a, b); }>>},
+    {"footprint_overlap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State* state) {
+       return g.footprint_overlap(a, b, reach_argument(state));
+     }>>},
+    {"vertical_gap",
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.vertical_gap(a, b); }>>},
+    {"plane_distance",
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.plane_distance(a, b); }>>},
+    {"side", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.side(a, b); }>>},
+    {"centroid_distance",
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.centroid_distance(a, b); }>>},
+};
+
+}  // namespace
+
+std::vector<std::string> plane_fields(const Scene& scene) {
+  std::vector<std::string> names{"id", "normal"};
+  for (const Field& field : kFields) names.emplace_back(field.name);
+  names.insert(names.end(), scene.features.names.begin(), scene.features.names.end());
+  return names;
+}
+
+int plane_argument(lua_State* state, int argument, const char* function) {
+  const bool userdata = lua_type(state, argument) == LUA_TUSERDATA;
+  const auto* handle = userdata ? static_cast<const Handle*>(lua_touserdata(state, argument)) : nullptr;
+  if (handle != nullptr && handle->plane >= 0) {
+    if (handle->plane < host_of(state).geometry->size()) return handle->plane;
+    throw Error(std::string(function) + ": the plane is not of this scene");
+  }
+  throw Error(std::string(function) + ": argument " + std::to_string(argument) + " must be a plane, not " +
+              (lua_isnoneornil(state, argument) ? "nothing" : std::string("a ") + luaL_typename(state, argument)));
+}
+
+void push_geometry(RuleHost& host) {
+  lua_State* state = host.lua.get();
+  lua_createtable(state, 0, static_cast<int>(std::size(kGeometry)));
+  for (const GeometryFunction& entry : kGeometry) {
+    lua_pushlightuserdata(state, &host);
+    lua_pushfstring(state, "geometry.%s", entry.name);
+    lua_pushcclosure(state, entry.function, 2);
+    lua_setfield(state, -2, entry.name);
+  }
+}
+
+void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
+  const LuaState::HostMemory memory(host.lua);
+  lua_State* state = host.lua.get();
+  host.scene = scene;
+  host.geometry = geometry;
+  luaL_unref(state, LUA_REGISTRYINDEX, host.planes);
+  lua_createtable(state, scene == nullptr ? 0 : static_cast<int>(scene->planes.size()), 0);
+  host.planes = luaL_ref(state, LUA_REGISTRYINDEX);
+}
+
+void push_plane(RuleHost& host, int index) {
+  lua_State* state = host.lua.get();
+  lua_rawgeti(state, LUA_REGISTRYINDEX, host.planes);
+  if (lua_rawgeti(state, -1, index + 1) == LUA_TNIL) {
+    const LuaState::HostMemory memory(host.lua);
+    lua_pop(state, 1);
+    make_plane(host, static_cast<std::size_t>(index));
+    lua_pushvalue(state, -1);
+    lua_rawseti(state, -3, index + 1);
+  }
+  lua_remove(state, -2);
+}
+
+}  // namespace scenelore::rules

@@ -1,0 +1,72 @@
+#include "pair_geometry.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace scenelore::rules {
+
+PairGeometry::PairGeometry(const std::vector<perception::Plane>& planes) {
+  shapes_.reserve(planes.size());
+  for (const perception::Plane& plane : planes) shapes_.emplace_back(plane);
+}
+
+void PairGeometry::add(const perception::Plane& plane) { shapes_.emplace_back(plane); }
+
+std::size_t PairGeometry::Hash::operator()(const Key& key) const {
+  std::uint64_t h = (static_cast<std::uint64_t>(key.a) << 32) ^ static_cast<std::uint64_t>(key.b);
+  h ^= std::bit_cast<std::uint64_t>(key.reach) >> 7;
+  h *= 0x9e3779b97f4a7c15u;
+  return static_cast<std::size_t>(h ^ (h >> 29));
+}
+
+double PairGeometry::angle(int a, int b) const {
+  const Eigen::Vector3d &n = shape(a).normal, &m = shape(b).normal;
+  return std::atan2(n.cross(m).norm(), std::abs(n.dot(m))) * 180 / std::numbers::pi;
+}
+
+double PairGeometry::gap(int a, int b) {
+  const auto [entry, fresh] = known_.try_emplace(Key{std::min(a, b), std::max(a, b), -1});
+  if (fresh) entry->second = hull_gap(shape(std::min(a, b)), shape(std::max(a, b)));
+  return entry->second;
+}
+
+double PairGeometry::footprint_overlap(int a, int b, double reach) {
+  const auto [entry, fresh] = known_.try_emplace(Key{a, b, std::max(reach, 0.0)});
+  if (fresh) entry->second = footprint_share(shape(a), shape(b), std::max(reach, 0.0));
+  return entry->second;
+}
+
+double PairGeometry::vertical_gap(int a, int b) const { return shape(a).box.min().z() - shape(b).box.max().z(); }
+double PairGeometry::plane_distance(int a, int b) const { return std::abs(side(a, b)); }
+double PairGeometry::side(int a, int b) const { return shape(b).signed_distance(shape(a).centroid); }
+double PairGeometry::centroid_distance(int a, int b) const { return (shape(a).centroid - shape(b).centroid).norm(); }
+
+bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) {
+  const Eigen::Vector3d apart = (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0);
+  return apart.squaredNorm() <= within * within && apart.head<2>().squaredNorm() <= within_plan * within_plan;
+}
+
+std::vector<std::pair<int, int>> pairs_in_reach(const std::vector<Box3>& boxes, double within, double within_plan) {
+  std::vector<int> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto box = [&](int i) -> const Box3& { return boxes[static_cast<std::size_t>(i)]; };
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(box(i).min().x(), i) < std::pair(box(j).min().x(), j); });
+  const double reach = std::min(within, within_plan);
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> open;  // those that may still reach what comes further along x
+  for (const int i : order) {
+    std::erase_if(open, [&](int j) { return box(j).max().x() + reach < box(i).min().x(); });
+    for (const int j : open) {
+      if (in_reach(box(i), box(j), within, within_plan)) pairs.emplace_back(std::min(i, j), std::max(i, j));
+    }
+    open.push_back(i);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace scenelore::rules

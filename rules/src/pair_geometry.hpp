@@ -1,0 +1,57 @@
+// Geometry between the planes of a scene, each answer computed once: what `geometry` offers to Lua.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "plane_shape.hpp"
+
+namespace scenelore::rules {
+
+/// Indices are those of the planes given. Not safe for concurrent use, since answers are cached.
+class PairGeometry {
+ public:
+  explicit PairGeometry(const std::vector<perception::Plane>& planes);
+  void add(const perception::Plane& plane);
+
+  [[nodiscard]] int size() const { return static_cast<int>(shapes_.size()); }
+  [[nodiscard]] const PlaneShape& shape(int i) const { return shapes_[static_cast<std::size_t>(i)]; }
+
+  /// Degrees between the two planes, 0 (parallel) to 90; the side a normal points to does not matter.
+  [[nodiscard]] double angle(int a, int b) const;
+  /// Metres, smallest distance of the hulls; see hull_gap.
+  [[nodiscard]] double gap(int a, int b);
+  /// See footprint_share.
+  [[nodiscard]] double footprint_overlap(int a, int b, double reach);
+  /// Metres from the top of b up to the lowest point of a; negative when b reaches above a's lower edge.
+  [[nodiscard]] double vertical_gap(int a, int b) const;
+  /// Metres from a's centroid to the endless plane of b, ≥ 0.
+  [[nodiscard]] double plane_distance(int a, int b) const;
+  /// The same with a sign: positive on the side to which b's normal points.
+  [[nodiscard]] double side(int a, int b) const;
+  /// Metres between the centroids.
+  [[nodiscard]] double centroid_distance(int a, int b) const;
+
+ private:
+  struct Key {
+    int a, b;
+    double reach;  ///< −1 stands for `gap`
+    bool operator==(const Key&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+  std::vector<PlaneShape> shapes_;
+  std::unordered_map<Key, double, Hash> known_;  // looked up only, never iterated
+};
+
+/// Pairs (i < j, rising) whose boxes are at most `within` metres apart, and at most `within_plan` seen from above;
+/// infinite = no limit. Sweeps along x, so that far ones are never looked at.
+[[nodiscard]] std::vector<std::pair<int, int>> pairs_in_reach(const std::vector<Box3>& boxes, double within,
+                                                              double within_plan);
+
+/// Whether one pair is within reach in that sense.
+[[nodiscard]] bool in_reach(const Box3& a, const Box3& b, double within, double within_plan);
+
+}  // namespace scenelore::rules

@@ -1,0 +1,127 @@
+#include "plane_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace scenelore::rules {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Vector3d any_across(const Vector3d& normal) {
+  const Vector3d level = Vector3d::UnitZ().cross(normal);  // horizontal, along the plane
+  return level.norm() > 1e-9 ? level.normalized() : Vector3d::UnitX();
+}
+
+std::vector<Vector2d> seen_from_above(const perception::Ring& ring) {
+  std::vector<Vector2d> out;
+  for (const Vector3d& corner : ring) out.emplace_back(corner.x(), corner.y());
+  return out;
+}
+
+/// The extent of a steep outline along the plan direction of its plane, through its centroid.
+Segment2 plan_line(const perception::Ring& outer, const Vector3d& centroid, const Vector3d& along) {
+  double low = 0, high = 0;
+  for (const Vector3d& corner : outer) {
+    const double s = along.dot(corner - centroid);
+    low = std::min(low, s);
+    high = std::max(high, s);
+  }
+  const Vector2d middle = centroid.head<2>(), direction = along.head<2>();
+  return {middle + low * direction, middle + high * direction};
+}
+
+double squared_distance(const Box3& a, const Box3& b) { return a.squaredExteriorDistance(b); }
+
+double squared_to_segment(const Vector3d& p, const Vector3d& from, const Vector3d& to) {
+  const Vector3d d = to - from;
+  const double length = d.squaredNorm();
+  const double t = length > 0 ? std::clamp(d.dot(p - from) / length, 0.0, 1.0) : 0.0;
+  return (p - from - t * d).squaredNorm();
+}
+
+/// Squared distance of two segments: inside both where the common perpendicular falls there, else at one of four ends.
+double squared_distance(const Edge3& e, const Edge3& f) {
+  const Vector3d d = e.to - e.from, g = f.to - f.from, r = f.from - e.from;
+  const double dd = d.squaredNorm(), gg = g.squaredNorm(), dg = d.dot(g);
+  const double determinant = dd * gg - dg * dg;
+  if (determinant > 1e-12 * dd * gg) {
+    const double s = (r.dot(d) * gg - r.dot(g) * dg) / determinant;
+    const double t = (r.dot(d) * dg - r.dot(g) * dd) / determinant;
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1) return (r + t * g - s * d).squaredNorm();
+  }
+  return std::min({squared_to_segment(e.from, f.from, f.to), squared_to_segment(e.to, f.from, f.to),
+                   squared_to_segment(f.from, e.from, e.to), squared_to_segment(f.to, e.from, e.to)});
+}
+
+/// Least squared distance from the edges of `a` to the inside of `b`, if below `best`.
+double edges_to_inside(const PlaneShape& a, const PlaneShape& b, double best) {
+  for (const Edge3& edge : a.edges) {
+    if (squared_distance(edge.box, b.box) >= best) continue;
+    const double from = b.signed_distance(edge.from), to = b.signed_distance(edge.to);
+    if ((from > 0) != (to > 0) && b.covers(edge.from + (edge.to - edge.from) * (from / (from - to)))) return 0;
+    // The edge's end is some other edge's start: one end of each is enough.
+    if (from * from < best && b.covers(edge.from)) best = from * from;
+  }
+  return best;
+}
+
+}  // namespace
+
+PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid), normal(plane.normal.normalized()) {
+  u = any_across(normal);
+  v = normal.cross(u);
+  const auto add = [&](const perception::Ring& ring) {
+    std::vector<Vector2d> flat;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector3d& next = ring[i + 1 == ring.size() ? 0 : i + 1];
+      edges.push_back({ring[i], next, Box3(ring[i].cwiseMin(next), ring[i].cwiseMax(next))});
+      box.extend(ring[i]);
+      flat.emplace_back(u.dot(ring[i] - centroid), v.dot(ring[i] - centroid));
+    }
+    if (!flat.empty()) in_plane.add_ring(std::move(flat));
+  };
+  if (plane.hull.outer.empty()) {
+    add({centroid});
+  } else {
+    add(plane.hull.outer);
+    for (const perception::Ring& hole : plane.hull.holes) add(hole);
+  }
+  const bool flat_outline = plane.hull.outer.size() >= 3;
+  steep = !flat_outline || std::abs(normal.z()) <= std::cos(kSteepDegrees * std::numbers::pi / 180);
+  if (steep) {
+    line = plan_line(plane.hull.outer, centroid, u);
+    footprint.add_ring({line.from, line.to});
+    return;
+  }
+  footprint.add_ring(seen_from_above(plane.hull.outer));
+  for (const perception::Ring& hole : plane.hull.holes) footprint.add_ring(seen_from_above(hole));
+}
+
+bool PlaneShape::covers(const Eigen::Vector3d& point) const {
+  return in_plane.contains({u.dot(point - centroid), v.dot(point - centroid)});
+}
+
+double hull_gap(const PlaneShape& a, const PlaneShape& b) {
+  double best = std::numeric_limits<double>::infinity();
+  best = edges_to_inside(a, b, best);
+  if (best > 0) best = edges_to_inside(b, a, best);
+  for (const Edge3& e : a.edges) {
+    if (best <= 0) break;
+    if (squared_distance(e.box, b.box) >= best) continue;
+    for (const Edge3& f : b.edges) {
+      if (squared_distance(e.box, f.box) < best) best = std::min(best, squared_distance(e, f));
+    }
+  }
+  return std::sqrt(best);
+}
+
+double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach) {
+  return a.steep ? share_within(a.line, b.footprint, reach) : share_within(a.footprint, b.footprint, reach);
+}
+
+}  // namespace scenelore::rules

@@ -1,0 +1,45 @@
+// One plane prepared for geometry questions: its outline in space, in its own plane, and as a footprint on the floor plan.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "region.hpp"
+#include "scenelore/perception/plane.hpp"
+
+namespace scenelore::rules {
+
+using Box3 = Eigen::AlignedBox3d;
+
+/// A plane this steep or steeper has a line as its footprint: the sliver that remains says nothing but noise.
+inline constexpr double kSteepDegrees = 80;
+
+struct Edge3 {
+  Eigen::Vector3d from, to;
+  Box3 box;
+};
+
+/// A plane without an outline is its centroid: a point.
+struct PlaneShape {
+  explicit PlaneShape(const perception::Plane& plane);
+
+  Eigen::Vector3d centroid, normal, u, v;  ///< u, v span the plane; normal of length 1
+  Box3 box;
+  std::vector<Edge3> edges;                ///< of outer boundary and holes; one of length 0 for a point
+  Region in_plane;                         ///< outline in (u, v) from the centroid
+  Region footprint;                        ///< outline seen from above; the line or point where `line` stands
+  bool steep = false;                      ///< footprint is `line`
+  Segment2 line;
+
+  [[nodiscard]] double signed_distance(const Eigen::Vector3d& point) const { return normal.dot(point - centroid); }
+  /// Whether the foot of the perpendicular from `point` lies inside the outline.
+  [[nodiscard]] bool covers(const Eigen::Vector3d& point) const;
+};
+
+/// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact.
+[[nodiscard]] double hull_gap(const PlaneShape& a, const PlaneShape& b);
+
+/// Share of a's footprint that lies over b's, or within `reach` metres of it; in [0, 1].
+[[nodiscard]] double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach);
+
+}  // namespace scenelore::rules

@@ -1,0 +1,226 @@
+#include "reasons.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenelore/kb/evidence.hpp"
+
+namespace scenelore::rules {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int best_class(const std::vector<double>& evidence, int but) {
+  int best = -1;
+  for (int c = 0; c < static_cast<int>(evidence.size()); ++c) {
+    if (c != but && (best < 0 || evidence[at(c)] > evidence[at(best)])) best = c;
+  }
+  return best;
+}
+
+const kb::Feature* find_feature(const kb::Knowledge& knowledge, const std::string& name) {
+  const auto found = std::find_if(knowledge.features.begin(), knowledge.features.end(),
+                                  [&](const kb::Feature& f) { return f.name == name; });
+  return found == knowledge.features.end() ? nullptr : &*found;
+}
+
+/// "height 0.74 m (typical 0.73)": μ on a log scale is that of ln x.
+std::string describe_feature(const kb::Knowledge& knowledge, const kb::Contribution& c) {
+  const kb::Feature* feature = find_feature(knowledge, c.feature);
+  std::string out = c.feature + " " + number(c.value, 2);
+  if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out += " " + feature->unit;
+  if (std::isnan(c.mean)) return out;
+  const bool log = feature != nullptr && feature->scale == kb::Scale::log;
+  if (log) return out + " (typical " + number(std::exp(c.mean)) + ", give or take a factor " + number(std::exp(c.sigma)) + ")";
+  return out + " (typical " + number(c.mean) + " ± " + number(c.sigma) + ")";
+}
+
+struct ActiveSupports {
+  const engine::Support* first = nullptr;
+  double second = 0;  ///< cost without the first
+};
+
+ActiveSupports active_supports(const World& world, const engine::Requirement& requirement, double weight) {
+  ActiveSupports found{.second = weight};
+  for (const engine::Support& support : requirement.supports) {
+    if (!world.holds(support.literal)) continue;
+    if (found.first == nullptr || support.cost < found.first->cost) {
+      if (found.first != nullptr) found.second = std::min(found.second, found.first->cost);
+      found.first = &support;
+    } else {
+      found.second = std::min(found.second, support.cost);
+    }
+  }
+  return found;
+}
+
+std::string relation_phrase(const kb::ClassConstraint& row, double degree) {
+  return row.relation ? *row.relation + ", " + number(degree) : std::string("present");
+}
+
+}  // namespace
+
+std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject) {
+  if (difference.row >= 0) return about.quoted(about.knowledge.constraints[at(difference.row)]);
+  if (difference.plane == subject) return "its features";
+  return "plane " + std::to_string(about.id(difference.plane)) + " as " + about.class_name(to.class_of(difference.plane));
+}
+
+void Reasoner::add(int plane, const char* kind, double amount, std::string sentence, const kb::ClassConstraint* row,
+                   int other) {
+  kb::Reason reason{.plane = about_.id(plane), .object_class = about_.class_name(best_.class_of(plane)), .kind = kind,
+                    .amount = amount, .sentence = std::move(sentence)};
+  if (row != nullptr) reason.constraint_name = row->name;
+  if (other >= 0) reason.other_plane = about_.id(other);
+  by_plane_[at(plane)].push_back(std::move(reason));
+}
+
+/// The features that tell the class from its strongest rival, by what they add.
+std::string Reasoner::strongest_features(int plane, int object_class, int rival) const {
+  if (rival < 0 || plane >= static_cast<int>(about_.scene.features.values.size())) return {};
+  const auto mine = kb::contributions(about_.knowledge, about_.scene.features, at(plane), at(object_class));
+  const auto theirs = kb::contributions(about_.knowledge, about_.scene.features, at(plane), at(rival));
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
+    order.emplace_back(mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  std::string fits, odd;
+  for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 3); ++i) {
+    const auto& [gain, feature] = order[i];
+    if (std::abs(gain) < 0.1) continue;
+    std::string& list = gain > 0 ? fits : odd;
+    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, mine[feature]);
+  }
+  std::string out;
+  if (!fits.empty()) out += "; for it: " + fits;
+  if (!odd.empty()) out += "; against it: " + odd;
+  return out;
+}
+
+void Reasoner::add_evidence(int plane, const kb::Label& label) {
+  const int object_class = best_.class_of(plane);
+  const std::vector<double>& p = about_.evidence[at(plane)];
+  const int rival = best_class(p, object_class);
+  const double most = std::exp(-kImpossibleEvidence);
+  const double amount =
+      rival < 0 ? 0 : std::log(std::max(p[at(object_class)], most)) - std::log(std::max(p[at(rival)], most));
+  std::string sentence = "plane " + std::to_string(label.plane) + " is " + label.object_class + " (" +
+                         number(label.probability) + "; from features alone " + number(p[at(object_class)]);
+  if (rival >= 0) {
+    sentence += std::string(amount < 0 ? ", which prefer " : ", before ") + about_.class_name(rival) + " with " + number(p[at(rival)]);
+  }
+  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane, object_class, rival));
+}
+
+void Reasoner::add_truth(int plane) {
+  add(plane, "truth", 0, "plane " + std::to_string(about_.id(plane)) + " is " + about_.class_name(best_.class_of(plane)) +
+                             " because a truth row says so");
+}
+
+void Reasoner::add_floor() {
+  if (!about_.compiled.floor || about_.compiled.floor->plane < 0) return;
+  const FloorStart& floor = *about_.compiled.floor;
+  const std::string share = number(floor.probability) + (floor.found ? ", at least " : ", less than ") +
+                            number(floor.threshold) + " by its features";
+  const std::string who = "plane " + std::to_string(about_.id(floor.plane));
+  add(floor.plane, "floor", 0,
+      floor.found ? who + " is the floor to start from: the lowest plane that is likely enough (" + share + ")"
+                  : "no floor to start from: " + who + " comes closest (" + share + ")");
+}
+
+void Reasoner::add_rival(int plane, const kb::Label& label, const World* rival) {
+  if (rival == nullptr) return;
+  std::string sentence = "next best: " + label.runner_up.value_or("?") + ", costs " + number(label.margin) + " more";
+  const char* separator = " (";
+  const kb::ClassConstraint* row = nullptr;
+  int named = 0;
+  for (const Difference& d : differences(about_, best_, *rival)) {
+    if (d.amount <= 0 || named == 3) break;
+    if (named++ == 0 && d.row >= 0) row = &about_.knowledge.constraints[at(d.row)];
+    sentence += separator + name_difference(about_, *rival, d, plane) + " " + number(d.amount);
+    separator = ", ";
+  }
+  add(plane, "runner_up", label.margin, named > 0 ? sentence + ")" : sentence, row);
+}
+
+/// For each requirement that a plane keeps alone thanks to another one, the reason of the one and of the other.
+void Reasoner::add_supports(const std::vector<double>& margins) {
+  const auto& constraints = about_.compiled.problem.constraints();
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    const auto* requirement = std::get_if<engine::Requirement>(&constraints[c].body);
+    if (requirement == nullptr || !best_.holds(requirement->literal)) continue;
+    const ActiveSupports found = active_supports(best_, *requirement, constraints[c].weight);
+    if (found.first == nullptr) continue;
+    const kb::ClassConstraint& row = about_.row(static_cast<int>(c));
+    const int a = about_.compiled.origins[c].a;
+    const int b = about_.compiled.plane_of_variable[at(found.first->literal.variable)];
+    const double degree = row.relation ? about_.facts.degree(*row.relation, a, b) : 1;
+    double amount = found.second - found.first->cost;
+    std::string without = "; without it " + number(amount) + " more";
+    if (std::isinf(amount)) {
+      amount = std::isinf(margins[at(a)]) ? 0 : margins[at(a)];
+      without = "; without it the plane could not be " + about_.class_name(best_.class_of(a));
+    }
+    const std::string how = " (" + relation_phrase(row, degree) + ")";
+    add(a, "support", amount, "thanks to " + best_.named(b) + how + ": " + about_.quoted(row) + without, &row, b);
+    if (amount > 0) {
+      add(b, "support", amount, best_.named(a) + " relies on it" + how + ": " + about_.quoted(row), &row, a);
+    }
+  }
+}
+
+void Reasoner::add_violation(const engine::Violation& violation) {
+  const ConstraintOrigin& origin = about_.compiled.origins[at(violation.constraint)];
+  const engine::Constraint& constraint = about_.compiled.problem.constraints()[at(violation.constraint)];
+  const kb::ClassConstraint& row = about_.row(violation.constraint);
+  const std::string pays = "pays " + number(violation.amount) + " for " + about_.quoted(row) + ": ";
+  const std::string other_class = row.other_class ? *row.other_class : std::string("other plane");
+  if (const auto* requirement = std::get_if<engine::Requirement>(&constraint.body)) {
+    const ActiveSupports found = active_supports(best_, *requirement, constraint.weight);
+    if (found.first == nullptr) {
+      return add(origin.a, "violation", -violation.amount,
+                 pays + "no " + other_class + (row.relation ? " for which '" + *row.relation + "' holds" : ""), &row);
+    }
+    const int b = about_.compiled.plane_of_variable[at(found.first->literal.variable)];
+    return add(origin.a, "violation", -violation.amount,
+               pays + "the best is " + best_.named(b) + " (" +
+                   relation_phrase(row, row.relation ? about_.facts.degree(*row.relation, origin.a, b) : 1) + ")",
+               &row, b);
+  }
+  if (std::holds_alternative<engine::Cardinality>(constraint.body)) {
+    const auto& body = std::get<engine::Cardinality>(constraint.body);
+    const auto count = std::count_if(body.literals.begin(), body.literals.end(), [&](auto l) { return best_.holds(l); });
+    const std::string found = pays + std::to_string(count) + " found, " +
+                              (row.quantifier == kb::Quantifier::at_most ? "at most " : "at least ") +
+                              std::to_string(row.count.value_or(0)) + " wanted";
+    if (origin.a >= 0) return add(origin.a, "violation", -violation.amount, found, &row);
+    for (const engine::Literal& literal : body.literals) {
+      const int plane = about_.compiled.plane_of_variable[at(literal.variable)];
+      if (best_.holds(literal)) add(plane, "violation", -violation.amount, found, &row);
+    }
+    return;
+  }
+  const double degree = row.relation ? about_.facts.degree(*row.relation, origin.a, origin.b) : 1;
+  const std::string how = " (" + relation_phrase(row, degree) + ")";
+  add(origin.a, "violation", -violation.amount, pays + best_.named(origin.b) + how, &row, origin.b);
+  add(origin.b, "violation", -violation.amount, pays + best_.named(origin.a) + how, &row, origin.a);
+}
+
+void Reasoner::add_violations() {
+  for (const engine::Violation& violation : best_.violations()) {
+    if (violation.amount >= 0.005) add_violation(violation);
+  }
+}
+
+std::vector<kb::Reason> Reasoner::take() {
+  std::vector<kb::Reason> out;
+  for (std::vector<kb::Reason>& list : by_plane_) {
+    std::move(list.begin(), list.end(), std::back_inserter(out));
+  }
+  return out;
+}
+
+}  // namespace scenelore::rules

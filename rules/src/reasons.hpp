@@ -1,0 +1,40 @@
+// Why a plane has its label, in sentences. Written after the answer is found; nothing here changes it.
+#pragma once
+
+#include <vector>
+
+#include "world.hpp"
+
+namespace scenelore::rules {
+
+/// Reads the best world and the worlds in which each plane is something else.
+class Reasoner {
+ public:
+  Reasoner(const Case& about, const World& best) : about_(about), best_(best), by_plane_(about.scene.planes.size()) {}
+
+  /// `rival` is the best world in which the plane is something else; nullptr where there is none or it is not known.
+  void add_rival(int plane, const kb::Label& label, const World* rival);
+  void add_evidence(int plane, const kb::Label& label);
+  void add_truth(int plane);
+  void add_floor();
+  void add_supports(const std::vector<double>& margins);
+  void add_violations();
+
+  /// By plane in the scene's order, then in the order added.
+  [[nodiscard]] std::vector<kb::Reason> take();
+
+ private:
+  void add(int plane, const char* kind, double amount, std::string sentence, const kb::ClassConstraint* row = nullptr,
+           int other = -1);
+  void add_violation(const engine::Violation& violation);
+  [[nodiscard]] std::string strongest_features(int plane, int object_class, int rival) const;
+
+  const Case& about_;
+  const World& best_;
+  std::vector<std::vector<kb::Reason>> by_plane_;
+};
+
+/// "evidence of plane 3 (wall instead of door)" or the row's message: what a difference is about.
+[[nodiscard]] std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject);
+
+}  // namespace scenelore::rules

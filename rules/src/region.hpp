@@ -1,0 +1,40 @@
+// Flat geometry: polygons with holes in the plane, exact areas and lengths of what two of them share.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <utility>
+#include <vector>
+
+namespace scenelore::rules {
+
+using Box2 = Eigen::AlignedBox2d;
+using Intervals = std::vector<std::pair<double, double>>;  ///< disjoint, rising
+
+/// Rings of corners, outer boundary and holes alike: a point is inside when it is inside an odd number of them.
+/// A ring of one or two corners is a point or a line, which has a boundary but no inside.
+struct Region {
+  std::vector<std::vector<Eigen::Vector2d>> rings;
+  Box2 box;
+
+  void add_ring(std::vector<Eigen::Vector2d> ring);
+  [[nodiscard]] double area() const;  ///< first ring less the others
+  [[nodiscard]] bool contains(const Eigen::Vector2d& point) const;
+};
+
+/// A straight line piece; length 0 is a point.
+struct Segment2 {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();
+  [[nodiscard]] double length() const { return (to - from).norm(); }
+};
+
+/// Area that is inside both regions; exact but for rounding.
+[[nodiscard]] double shared_area(const Region& a, const Region& b);
+
+/// Share of `a`'s area that is inside `b` or within `reach` metres of it, in [0, 1]. Exact for reach 0; with a reach the
+/// area is integrated over 32 lines across `a`, each of them exact.
+[[nodiscard]] double share_within(const Region& a, const Region& b, double reach);
+
+/// Share of a segment that is inside `b` or within `reach` of it, in [0, 1]; exact. A point gives 0 or 1.
+[[nodiscard]] double share_within(const Segment2& a, const Region& b, double reach);
+
+}  // namespace scenelore::rules

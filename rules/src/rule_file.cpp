@@ -1,0 +1,132 @@
+#include "rule_file.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace scenelore::rules {
+
+namespace {
+
+constexpr const char* kHowToReturn = "the file must end with  return relation { … }  or  return feature { … }";
+
+kb::Scale scale_of(const std::string& name) {
+  return name == "log" ? kb::Scale::log : name == "circular" ? kb::Scale::circular : kb::Scale::linear;
+}
+
+}  // namespace
+
+RuleFile::RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides)
+    : source_(std::move(source)), host_(std::make_unique<RuleHost>(budget)) {
+  host_->overrides = overrides;
+  open_sandbox(*host_);
+  host_->text = source_.text;
+  host_->lua.load(source_.text, source_.shown);
+  enter_environment(*host_);
+  try {
+    host_->lua.call(0, 1);
+  } catch (const Error& error) {
+    throw located(error.what(), "");
+  }
+  take_over();
+}
+
+void RuleFile::take_over() {
+  lua_State* state = host_->lua.get();
+  if (lua_type(state, -1) != LUA_TTABLE) {
+    throw Error(source_.shown + ": returned " + (lua_isnil(state, -1) ? "nothing" : std::string("a ") + luaL_typename(state, -1)) +
+                "; " + kHowToReturn);
+  }
+  const std::string kind = text_field("kind");
+  lua_pushliteral(state, "ask");
+  lua_rawget(state, -2);
+  const bool callable = lua_isfunction(state, -1);
+  ask_ = luaL_ref(state, LUA_REGISTRYINDEX);
+  if (!callable || (kind != "relation" && kind != "feature")) {
+    throw Error(source_.shown + ": returned a plain table; " + kHowToReturn);
+  }
+  name_ = text_field("name");
+  if (kind == "relation") {
+    kind_ = Kind::relation;
+    relation_ = {.name = name_, .summary = text_field("summary"), .file = source_.shown,
+                 .within = number_field("within"), .within_plan = number_field("within_plan")};
+    lua_pushliteral(state, "symmetric");
+    lua_rawget(state, -2);
+    relation_.symmetric = lua_toboolean(state, -1) != 0;
+    lua_pop(state, 1);
+    lua_pushliteral(state, "tolerances");
+    lua_rawget(state, -2);
+    if (lua_istable(state, -1)) {
+      for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+        const bool flag = lua_isboolean(state, -1);
+        if (lua_type(state, -2) != LUA_TSTRING) continue;
+        relation_.tolerances[lua_tostring(state, -2)] = flag ? lua_toboolean(state, -1) : lua_tonumber(state, -1);
+      }
+    }
+    lua_pop(state, 1);
+  } else {
+    kind_ = Kind::feature;
+    feature_ = {.name = name_, .unit = text_field("unit"), .scale = scale_of(text_field("scale")),
+                .low = number_field("low"), .high = number_field("high"), .weight = 1,
+                .description = text_field("summary")};
+  }
+  lua_pop(state, 1);
+}
+
+std::string RuleFile::text_field(const char* name) const {
+  lua_State* state = host_->lua.get();
+  lua_pushstring(state, name);
+  lua_rawget(state, -2);
+  const std::string text = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1) : "";
+  lua_pop(state, 1);
+  return text;
+}
+
+double RuleFile::number_field(const char* name) const {
+  lua_State* state = host_->lua.get();
+  lua_pushstring(state, name);
+  lua_rawget(state, -2);
+  const double value = lua_tonumber(state, -1);
+  lua_pop(state, 1);
+  return value;
+}
+
+/// A message always begins with the file, also when Lua could not tell the line.
+Error RuleFile::located(const std::string& message, const std::string& about) const {
+  const bool has_place = message.compare(0, source_.shown.size() + 1, source_.shown + ":") == 0;
+  return Error((has_place ? message : source_.shown + ": " + message) + about);
+}
+
+void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) { set_scene(*host_, scene, geometry); }
+
+double RuleFile::degree(int a, int b) {
+  lua_State* state = host_->lua.get();
+  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+  push_plane(*host_, a);
+  push_plane(*host_, b);
+  try {
+    host_->lua.call(2, 1);
+  } catch (const Error& error) {
+    const auto id = [&](int plane) { return std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]); };
+    throw located(error.what(), " (relation '" + name_ + "', planes " + id(a) + " and " + id(b) + ")");
+  }
+  const double degree = lua_tonumber(state, -1);
+  lua_pop(state, 1);
+  return degree;
+}
+
+double RuleFile::value(int plane) {
+  lua_State* state = host_->lua.get();
+  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+  push_plane(*host_, plane);
+  try {
+    host_->lua.call(1, 1);
+  } catch (const Error& error) {
+    throw located(error.what(), " (feature '" + name_ + "', plane " +
+                                    std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]) + ")");
+  }
+  const double value = lua_isnil(state, -1) ? std::numeric_limits<double>::quiet_NaN() : lua_tonumber(state, -1);
+  lua_pop(state, 1);
+  return value;
+}
+
+}  // namespace scenelore::rules

@@ -1,0 +1,59 @@
+// One rule file in a sandboxed state of its own: a relation or a feature, checked when loaded.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rule_host.hpp"
+#include "scenelore/kb/knowledge.hpp"
+#include "scenelore/rules/error.hpp"
+
+namespace scenelore::rules {
+
+/// A text and the name under which messages speak of it.
+struct RuleSource {
+  std::string shown;
+  std::string text;
+};
+
+class RuleFile {
+ public:
+  enum class Kind { relation, feature };
+
+  /// Runs the file. Throws Error naming file, line and field for anything that is not a relation or feature.
+  RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides = {});
+
+  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const RuleSource& source() const { return source_; }
+  [[nodiscard]] const RelationInfo& relation() const { return relation_; }
+  [[nodiscard]] const kb::Feature& feature() const { return feature_; }
+
+  /// The planes that degree and value speak of by index; both must live as long as they are asked about.
+  void look_at(const Scene* scene, PairGeometry* geometry);
+
+  /// In [0, 1]; 0 = does not hold. Throws Error naming relation and both planes.
+  double degree(int a, int b);
+  /// NaN = not known.
+  double value(int plane);
+
+  [[nodiscard]] RuleHost& host() { return *host_; }
+
+ private:
+  void take_over();
+  [[nodiscard]] std::string text_field(const char* name) const;
+  [[nodiscard]] double number_field(const char* name) const;
+  [[nodiscard]] Error located(const std::string& message, const std::string& about) const;
+
+  RuleSource source_;
+  std::unique_ptr<RuleHost> host_;
+  Kind kind_ = Kind::relation;
+  std::string name_;
+  RelationInfo relation_;
+  kb::Feature feature_;
+  int ask_ = LUA_NOREF;
+};
+
+}  // namespace scenelore::rules

@@ -1,0 +1,61 @@
+// What a rule file's state knows of the world: planes as read-only values, geometry as functions.
+#pragma once
+
+#include <lua.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lua_state.hpp"
+#include "pair_geometry.hpp"
+#include "scenelore/rules/scene.hpp"
+
+namespace scenelore::rules {
+
+/// Values of tolerances by field name, from settings.
+using Overrides = std::map<std::string, double>;
+
+/// The C++ side of one state; its address stands behind every host function of that state, so it does not move.
+struct RuleHost {
+  explicit RuleHost(const Budget& budget) : lua(budget) {}
+  RuleHost(const RuleHost&) = delete;
+  RuleHost& operator=(const RuleHost&) = delete;
+
+  LuaState lua;
+  std::string text;                              ///< of the file, to find lines in
+  std::map<std::string, Overrides> overrides;    ///< by relation
+  const Scene* scene = nullptr;
+  PairGeometry* geometry = nullptr;
+  int planes = LUA_NOREF;                        ///< registry: table of the planes pushed so far
+  int environment = LUA_NOREF;                   ///< registry: globals of the file
+};
+
+/// Opens the libraries, runs the prelude, makes the environment. Throws Error (a bug in the prelude, or no memory).
+void open_sandbox(RuleHost& host);
+
+/// Gives the function on top of the stack the file's globals.
+void enter_environment(RuleHost& host);
+
+/// The planes asked about from now on. Both must outlive the next call into the state; nullptr for none.
+void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry);
+
+/// Pushes plane number `index` of the scene as a Lua value; made when first needed.
+void push_plane(RuleHost& host, int index);
+
+/// Index of the plane at stack position `argument`. Throws Error naming `function` when it is something else.
+[[nodiscard]] int plane_argument(lua_State* state, int argument, const char* function);
+
+/// The host behind the C closure that is running.
+[[nodiscard]] RuleHost& host_of(lua_State* state);
+
+/// Pushes a C function that finds `host` by host_of.
+void push_function(RuleHost& host, lua_CFunction function);
+
+/// Pushes the table of geometry functions.
+void push_geometry(RuleHost& host);
+
+/// Names of the fields of a plane in this scene.
+[[nodiscard]] std::vector<std::string> plane_fields(const Scene& scene);
+
+}  // namespace scenelore::rules
