@@ -96,21 +96,22 @@ class Compiler {
 
   void translate(const Requirement& requirement) {
     const int owner = requirement.literal.variable;
-    RequirementFunction f{local(owner), requirement.literal.label, -1, weight_, {}, number_};
-    std::map<int, std::vector<Cost>> members;
+    RequirementFunction f{local(owner), requirement.literal.label, weight_, number_};
+    std::map<int, std::map<int, Cost>> members;
     for (const Support& support : requirement.supports) {
       const Cost cost = scale_.whole(support.cost);
       if (support.literal == requirement.literal) f.weight = std::min(f.weight, cost);  // supports itself
       if (support.literal.variable == owner) continue;
-      auto& costs = members.try_emplace(local(support.literal.variable), index(labels(support.literal.variable)), kTop)
-                        .first->second;
-      Cost& entry = costs[index(support.literal.label)];
+      Cost& entry = members[local(support.literal.variable)].try_emplace(support.literal.label, kTop).first->second;
       entry = std::min(entry, cost);
     }
     if (f.weight == 0) return;
-    for (auto& [variable, costs] : members)
-      if (std::any_of(costs.begin(), costs.end(), [&](Cost cost) { return cost < f.weight; }))
-        f.members.push_back({variable, -1, std::move(costs)});
+    for (const auto& [variable, costs] : members) {
+      RequirementFunction::Member member{variable};
+      for (const auto& [label, cost] : costs)
+        if (cost < f.weight) member.supports.emplace_back(label, cost);
+      if (!member.supports.empty()) f.members.push_back(std::move(member));
+    }
     network(owner).add_requirement(std::move(f));
   }
 

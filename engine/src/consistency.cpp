@@ -42,7 +42,8 @@ void Network::move(int label_cell, int shift_cell, Cost amount) {
 }
 
 void Network::forget() {
-  for (const Move& m : moves_) spent_[static_cast<std::size_t>(m.label_cell)] = 0;
+  for (const Move& m : moves_)
+    if (m.label_cell >= 0) spent_[static_cast<std::size_t>(m.label_cell)] = 0;
   moves_.clear();
 }
 
@@ -70,6 +71,10 @@ void Network::announce(int v) {
 bool Network::commit(int to) {
   bool rose = false;
   for (const Move& m : moves_) {
+    if (m.label_cell < 0) {  // a mark, not a cost
+      set(m.shift_cell, 1);
+      continue;
+    }
     set(m.label_cell, cost_at(m.label_cell) + m.amount);
     set(m.shift_cell, cost_at(m.shift_cell) + m.amount);
     spent_[static_cast<std::size_t>(m.label_cell)] = 0;
@@ -192,12 +197,12 @@ bool Network::filter_global(int global) {
                         : cardinalities_[static_cast<std::size_t>(~global)].constraint;
   if (global >= 0) {
     const RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
-    if (!is_live(f.x, f.label)) return true;
+    if (!is_live(f.x, f.label)) return release(f);
     if (!attempt(f.x)) return false;
-    if (at(f.x).live > 1) return true;  // another label of x satisfies it
-    for (const auto& member : f.members)
-      if (at(member.variable).live > 1 && !attempt(member.variable)) return false;
-    return true;
+    // With nothing new paid, only the owner of the cheapest support can lose by it.
+    if (at(f.x).live > 1 || f.supports.empty() || !is_live(f.supports[f.witness])) return true;
+    const int last = f.supports[f.witness].variable;
+    return at(last).live == 1 || attempt(last);
   }
   const CardinalityFunction& f = cardinalities_[static_cast<std::size_t>(~global)];
   if ((f.x >= 0 && !is_live(f.x, f.label)) || !is_tight(f)) return true;
@@ -229,7 +234,7 @@ bool Network::directed_from(int v) {
   }
   for (const int global : globals_[static_cast<std::size_t>(v)]) {
     if (global < 0) continue;
-    const RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
+    RequirementFunction& f = requirements_[static_cast<std::size_t>(global)];
     if (f.x >= v || !is_live(f.x, f.label)) continue;
     std::fill(gain_.begin(), gain_.end(), 0);
     pull(f, f.x, f.x);

@@ -54,7 +54,15 @@ int Network::new_table(const std::vector<Cost>& table) {
 
 void Network::add_requirement(RequirementFunction function) {
   function.x_cell = new_cells(labels(function.x));
-  for (auto& member : function.members) member.cell = new_cells(labels(member.variable));
+  function.lifted_cell = new_cells(1);
+  function.shifted_cell = new_cells(1);
+  for (std::size_t j = 0; j < function.members.size(); ++j) {
+    auto& member = function.members[j];
+    member.cell = new_cells(labels(member.variable));
+    for (const auto& [label, cost] : member.supports)
+      function.supports.push_back({static_cast<int>(j), member.variable, static_cast<int>(cell(member.variable, label)),
+                                   member.cell + label, cost});
+  }
   requirements_.push_back(std::move(function));
 }
 
@@ -91,9 +99,7 @@ void Network::close() {
     watch(function.x, global);
     for (const auto& member : function.members) {
       globals_[static_cast<std::size_t>(member.variable)].push_back(global);
-      for (int label = 0; label < labels(member.variable); ++label)
-        if (member.cost[static_cast<std::size_t>(label)] < function.weight)
-          watchers_[cell(member.variable, label)].push_back(global);
+      for (const auto& [label, cost] : member.supports) watchers_[cell(member.variable, label)].push_back(global);
     }
     dirty_requirements_.resize(static_cast<int>(requirements_.size()));
   }
@@ -139,8 +145,9 @@ Cost Network::evaluate(std::span<const int> assignment) const {
   for (const RequirementFunction& f : requirements_) {
     if (value_of(f.x) != f.label) continue;
     Cost least = f.weight;
-    for (const auto& member : f.members)
-      least = std::min(least, member.cost[static_cast<std::size_t>(value_of(member.variable))]);
+    for (const auto& support : f.supports)
+      if (static_cast<int>(cell(support.variable, value_of(support.variable))) == support.label_cell)
+        least = std::min(least, support.cost);
     add(least);
   }
   for (const CardinalityFunction& f : cardinalities_) {

@@ -41,13 +41,25 @@ struct View {
 struct RequirementFunction {
   struct Member {
     int variable;
-    int cell;                ///< shifts, one a label
-    std::vector<Cost> cost;  ///< of each label as a support; kTop = none
+    int cell = -1;                                  ///< shifts, one a label
+    std::vector<std::pair<int, Cost>> supports{};   ///< (label, cost < weight)
   };
-  int x, label, x_cell;
+  struct Support {
+    int member, variable;
+    int label_cell, shift_cell;
+    Cost cost;
+  };
+  int x, label;
   Cost weight;
-  std::vector<Member> members;
   int constraint;
+  std::vector<Member> members{};
+  // Set by Network:
+  int x_cell = -1;
+  int lifted_cell = -1;             ///< not 0: costs were taken out towards members
+  int shifted_cell = -1;            ///< not 0: some shift is not 0
+  std::vector<Support> supports{};  ///< of all members
+  std::size_t witness = 0;          ///< the support that was cheapest when last looked at
+  int idle = -1;                    ///< a label of x that cost nothing when last looked at
 };
 
 /// Cost when variable `x` has `label` (or always, x = −1): weight for each member too many or too few.
@@ -154,10 +166,15 @@ class Network {
   // Each pull adds to gain_[label] what `to` could get from one function and notes the moves that it takes.
   // `above`: only variables after it may pay; −1 = all may.
   void pull(const View& view);
-  void pull(const RequirementFunction& function, int to, int above);
+  void pull(RequirementFunction& function, int to, int above);
   void pull(const CardinalityFunction& function, int to, int above);
-  void pull_to_owner(const RequirementFunction& function, int above);
-  void pull_to_member(const RequirementFunction& function, std::size_t member, int above);
+  void pull_to_owner(RequirementFunction& function, int above);
+  void pull_to_member(RequirementFunction& function, std::size_t member, int above);
+  Cost given(const RequirementFunction::Support& support, int above) const;
+  bool is_live(const RequirementFunction::Support& support) const;
+  Cost least_given(const RequirementFunction& function, std::size_t without, int above);
+  void charge(const RequirementFunction& function, std::size_t without, Cost target, int above);
+  bool release(const RequirementFunction& function);
   void pull_global(int global, int to, int above);
   void project_cardinality(const CardinalityFunction& function, int to);
   void lift_cardinality(const CardinalityFunction& function, int to, int above);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace scenelore::engine {
 
@@ -174,18 +175,35 @@ int Search::branching_variable() const {
   if (last_failed_ >= 0 && network_.live(last_failed_).size() > 1) return last_failed_;
   int best = -1;
   double best_key = 0;
+  const bool diving = preferred_.empty();
   for (int v = 0; v < network_.variables(); ++v) {
     const auto labels = network_.live(v);
     if (labels.size() < 2) continue;
-    const Cost room = limit_ - network_.bound();
-    double spread = 0;  // in [0, number of labels]: how near to hopeless its labels are
-    for (const int label : labels)
-      spread += static_cast<double>(std::min(network_.unary(v, label), room)) / static_cast<double>(room);
-    const double importance = weight_[static_cast<std::size_t>(v)] * (1 + network_.degree(v)) * (1 + spread);
-    const double key = static_cast<double>(labels.size()) / importance;
+    double key = 0;
+    if (diving) {  // to a first assignment: the clearest first
+      key = -static_cast<double>(clearance(v));
+    } else {
+      const Cost room = limit_ - network_.bound();
+      double spread = 0;  // in [0, number of labels]: how near to hopeless its labels are
+      for (const int label : labels)
+        spread += static_cast<double>(std::min(network_.unary(v, label), room)) / static_cast<double>(room);
+      key = static_cast<double>(labels.size()) /
+            (weight_[static_cast<std::size_t>(v)] * (1 + network_.degree(v)) * (1 + spread));
+    }
     if (best < 0 || key < best_key) best = v, best_key = key;
   }
   return best;
+}
+
+/// By how much the second best label is dearer than the best one.
+Cost Search::clearance(int v) const {
+  Cost least = kTop, second = kTop;
+  for (const int label : network_.live(v)) {
+    const Cost cost = network_.unary(v, label);
+    if (cost < least) second = std::exchange(least, cost);
+    else second = std::min(second, cost);
+  }
+  return second - least;
 }
 
 Decision Search::choose() {

@@ -89,6 +89,7 @@ class Search {
   bool leaf(Cost& cost);
   Decision first_in_order() const;
   int branching_variable() const;
+  Cost clearance(int v) const;
   Decision choose();
   void learn_from_failure(const Decision& decision, int depth);
   void hand_back(std::size_t base_path);
