@@ -161,8 +161,9 @@ class Drawing {
     return "<rect x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\"" + number(w) + "\" height=\"" + number(h) + "\"" + style + "/>";
   }
 
-  static std::string line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& style) {
-    return "<line x1=\"" + number(a.x()) + "\" y1=\"" + number(a.y()) + "\" x2=\"" + number(b.x()) + "\" y2=\"" + number(b.y()) + "\"" + style + "/>";
+  static std::string line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& style, const std::string& content = "") {
+    return "<line x1=\"" + number(a.x()) + "\" y1=\"" + number(a.y()) + "\" x2=\"" + number(b.x()) + "\" y2=\"" + number(b.y()) + "\"" + style +
+           ">" + content + "</line>";
   }
 
   void text(double x, double y, double size, const std::string& style, const std::string& content) {
@@ -213,12 +214,25 @@ class Drawing {
     return print;
   }
 
-  [[nodiscard]] std::string strip_line(const Shape& shape, double extra_width, const std::string& style) const {
+  /// By how much a wall is drawn longer at its end of that sign, in pixels: round the corner where another wall ends nearby.
+  [[nodiscard]] double corner_length(const Shape& wall, double sign) const {
+    constexpr double kNear = 0.35;  // metres
+    const auto end = [](const Shape& shape, double side) -> Eigen::Vector2d {
+      return shape.print.box.center + side * shape.print.box.half.x() * shape.print.box.axis;
+    };
+    const bool meets = std::any_of(shapes_.begin(), shapes_.end(), [&](const Shape& other) {
+      if (other.kind != Kind::wall || &other == &wall || std::abs(other.print.box.axis.dot(wall.print.box.axis)) > 0.8) return false;
+      return (end(other, 1) - end(wall, sign)).norm() < kNear || (end(other, -1) - end(wall, sign)).norm() < kNear;
+    });
+    return meets ? thickness(wall) : 0;
+  }
+
+  [[nodiscard]] std::string strip_line(const Shape& shape, double outline, const Color& color) const {
     const OrientedBox box = strip_on_page(shape).box;
-    const Eigen::Vector2d reach = box.axis * box.half.x();
-    return "<line x1=\"" + number(box.center.x() - reach.x()) + "\" y1=\"" + number(box.center.y() - reach.y()) + "\" x2=\"" +
-           number(box.center.x() + reach.x()) + "\" y2=\"" + number(box.center.y() + reach.y()) + "\" stroke-width=\"" +
-           number(thickness(shape) + extra_width) + "\"" + style + ">" + tip(shape) + "</line>\n";
+    const bool wall = shape.kind == Kind::wall;
+    const double before = outline / 2 + (wall ? corner_length(shape, -1) : 0), after = outline / 2 + (wall ? corner_length(shape, 1) : 0);
+    const std::string style = " stroke=\"" + hex(color) + "\" stroke-width=\"" + number(thickness(shape) + outline) + "\"";
+    return line(box.center - box.axis * (box.half.x() + before), box.center + box.axis * (box.half.x() + after), style, tip(shape)) + "\n";
   }
 
   /// All outlines first, then all fillings, so that walls join at the corners.
@@ -227,8 +241,7 @@ class Drawing {
       for (const Shape& shape : shapes_) {
         if (shape.kind != Kind::wall) continue;
         const Color fill = mixed(parse_color(shape.item->color), kInk, 0.45);
-        const std::string color = hex(outline ? mixed(fill, kBlack, 0.35) : faded(fill, shape));
-        body_ += strip_line(shape, outline ? 1.6 : 0, " stroke=\"" + color + "\" stroke-linecap=\"square\"");
+        body_ += strip_line(shape, outline ? 1.6 : 0, outline ? mixed(fill, kBlack, 0.35) : faded(fill, shape));
       }
     }
   }
@@ -257,8 +270,8 @@ class Drawing {
 
   void draw_strip(const Shape& shape) {
     const Color color = parse_color(shape.item->color);
-    body_ += strip_line(shape, 2, " stroke=\"" + hex(mixed(color, kInk, 0.6)) + "\"");
-    body_ += strip_line(shape, 0, " stroke=\"" + hex(faded(color, shape)) + "\"");
+    body_ += strip_line(shape, 2, mixed(color, kInk, 0.6));
+    body_ += strip_line(shape, 0, faded(color, shape));
   }
 
   /// Paler the less certain the label: at probability 0, two thirds of the way to white.
@@ -275,10 +288,6 @@ class Drawing {
 
   // Names ----------------------------------------------------------------------------------------------------------
 
-  [[nodiscard]] static std::string name_of(const Shape& shape) {
-    return spoken(shape.item->class_name) + " " + std::to_string(shape.item->id);
-  }
-
   /// Small things first, since they have the fewest places; then the unknown, the walls, the floor.
   [[nodiscard]] std::vector<const Shape*> naming_order() const {
     std::vector<const Shape*> order;
@@ -294,15 +303,49 @@ class Drawing {
     return order;
   }
 
+  /// Shapes of one class over one another, like the boards of a shelf, share one name.
+  [[nodiscard]] static bool stacked(const Shape& a, const Shape& b) {
+    const OrientedBox &u = a.print.box, &v = b.print.box;
+    return a.item->class_name == b.item->class_name && a.print.strip == b.print.strip && a.kind != Kind::wall &&
+           (u.center - v.center).norm() < 0.15 && std::abs(u.half.x() - v.half.x()) < 0.15 && std::abs(u.half.y() - v.half.y()) < 0.1;
+  }
+
+  [[nodiscard]] std::vector<std::vector<const Shape*>> named_groups() const {
+    std::vector<std::vector<const Shape*>> groups;
+    for (const Shape* shape : naming_order()) {
+      const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return stacked(*group[0], *shape); });
+      if (known == groups.end()) groups.push_back({shape});
+      else known->push_back(shape);
+    }
+    return groups;
+  }
+
+  /// "table 3", "shelf 3–5", "shelf 3, 7".
+  [[nodiscard]] static std::string name_of(const std::vector<const Shape*>& group) {
+    std::vector<std::int64_t> ids;
+    for (const Shape* shape : group) ids.push_back(shape->item->id);
+    std::sort(ids.begin(), ids.end());
+    std::string out = spoken(group[0]->item->class_name);
+    for (std::size_t i = 0; i < ids.size();) {
+      std::size_t last = i;
+      while (last + 1 < ids.size() && ids[last + 1] == ids[last] + 1) ++last;
+      out += (i == 0 ? " " : ", ") + std::to_string(ids[i]);
+      if (last > i) out += (last > i + 1 ? "–" : ", ") + std::to_string(ids[last]);
+      i = last + 1;
+    }
+    return out;
+  }
+
   void draw_names() {
     std::vector<LabelWish> wishes;
     std::vector<Obstacle> obstacles;
-    const std::vector<const Shape*> order = naming_order();
-    for (const Shape* shape : order) {
-      LabelWish wish{name_of(*shape), shape->print.strip ? strip_on_page(*shape) : on_page(shape->print, page_), 0, shape->kind == Kind::floor};
-      if (shape->print.strip) wish.thickness = thickness(*shape), wish.shape.box.half.y() = wish.thickness / 2;
-      const bool small = shape->print.strip || (shape->kind == Kind::flat && shape->print.area < kSmallArea);
-      if (small) obstacles.push_back({wish.shape.box, wishes.size()});
+    const auto groups = named_groups();
+    for (const auto& group : groups) {
+      const Shape& shape = *group[0];
+      LabelWish wish{name_of(group), shape.print.strip ? strip_on_page(shape) : on_page(shape.print, page_), 0, shape.kind == Kind::floor};
+      if (shape.print.strip) wish.thickness = thickness(shape), wish.shape.box.half.y() = wish.thickness / 2;
+      const bool small = shape.print.strip || shape.print.area < kSmallArea;
+      if (shape.kind != Kind::floor) obstacles.push_back({wish.shape.box, wishes.size(), small && shape.kind != Kind::overhead});
       wishes.push_back(std::move(wish));
     }
     const LabelArea area{{page_.left + 2, page_.top + 2}, {page_.right() - 2, page_.bottom() - 2}};
@@ -310,7 +353,7 @@ class Drawing {
     body_ += "<g font-size=\"" + number(kFontSize) + "\" text-anchor=\"middle\" fill=\"" + hex(kInk) +
              "\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"2.6\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
     for (std::size_t i = 0; i < wishes.size(); ++i) {
-      if (placed[i]) draw_name(*order[i], wishes[i], *placed[i]);
+      if (placed[i]) draw_name(*groups[i][0], wishes[i], *placed[i]);
     }
     body_ += "</g>\n";
   }
@@ -382,7 +425,8 @@ class Drawing {
     }
     for (const Shape& shape : shapes_) {
       for (auto& [key, entry] : sorted) {
-        if (key.second == shape.item->class_name && entry.example == nullptr) entry.example = &shape;
+        if (key.second != shape.item->class_name) continue;
+        if (entry.example == nullptr || (entry.example->print.strip && !shape.print.strip)) entry.example = &shape;
       }
     }
     std::vector<std::pair<std::string, LegendEntry>> out;

@@ -50,17 +50,19 @@ void add_inner_places(const LabelWish& wish, const OrientedBox& text, std::vecto
   places.insert(places.end(), found.begin(), found.end());
 }
 
-/// Places around any shape, in eight directions, near ones first.
+/// Places around any shape: touching it first, then farther off, where they need a line to it.
 void add_outer_places(const OrientedBox& around, const OrientedBox& text, std::vector<PlacedLabel>& places) {
-  const Eigen::Vector2d directions[] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}, {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}};
+  constexpr int kDirections = 16;
+  // Below, above, right, left, then what is between.
+  constexpr int kOrder[kDirections] = {4, 12, 0, 8, 3, 5, 11, 13, 2, 6, 10, 14, 1, 7, 9, 15};
   for (const double extra : {0.0, 10.0, 24.0}) {
-    for (const Eigen::Vector2d& direction : directions) {
+    for (const int index : kOrder) {
+      const double angle = index * 2 * 3.14159265358979323846 / kDirections;
+      const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
       OrientedBox box = text;
-      const Eigen::Vector2d d = direction.normalized();
-      // The text's rectangle touches the shape's: as far as the nearer of the two axes demands.
-      const double shape_reach = reach(around, d);
-      const double text_reach = std::min(text.half.x() / std::max(std::abs(d.x()), 1e-9), text.half.y() / std::max(std::abs(d.y()), 1e-9));
-      box.center = around.center + d * (shape_reach + text_reach + kGap + extra);
+      box.center = around.center;
+      while (overlap(box, around)) box.center += 2 * direction;
+      box.center += (kGap + extra) * direction;
       places.push_back({box, extra > 0});
     }
   }
@@ -95,6 +97,11 @@ std::vector<PlacedLabel> places_for(const LabelWish& wish, double font_size) {
   return places;
 }
 
+bool holds(const OrientedBox& box, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d d = point - box.center, across(-box.axis.y(), box.axis.x());
+  return std::abs(d.dot(box.axis)) <= box.half.x() && std::abs(d.dot(across)) <= box.half.y();
+}
+
 bool within(const OrientedBox& box, const LabelArea& area) {
   for (int i = 0; i < 4; ++i) {
     const Eigen::Vector2d corner = box.corner(i);
@@ -114,14 +121,17 @@ std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<LabelWish
     const auto over_label = [&](const OrientedBox& box) {
       return std::any_of(taken.begin(), taken.end(), [&](const OrientedBox& other) { return overlap(box, other); });
     };
-    const auto over_obstacle = [&](const OrientedBox& box) {
-      return std::any_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) { return o.wish != i && overlap(box, o.box); });
+    // In vain avoided: a thing on which the named one lies.
+    const auto over_obstacle = [&](const OrientedBox& box, bool small_only) {
+      return std::any_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) {
+        return o.wish != i && (o.small || !small_only) && overlap(box, o.box) && (o.small || !holds(o.box, wishes[i].shape.box.center));
+      });
     };
-    for (const bool strict : {true, false}) {
+    for (const int effort : {2, 1, 0}) {
       for (const PlacedLabel& place : places) {
         if (placed[i] || !within(place.box, area) || over_label(place.box)) continue;
-        if (!strict && place.beside) continue;  // far off and on top of something else: better none
-        if (strict && over_obstacle(place.box)) continue;
+        if (effort == 0 && place.beside) continue;  // far off and on top of something else: better none
+        if (effort > 0 && over_obstacle(place.box, effort == 1)) continue;
         placed[i] = place;
       }
     }

@@ -22,10 +22,11 @@ struct PlacedLabel {
   bool beside = false;  ///< not on what it names: deserves a line to it
 };
 
-/// Something better not written over, except by its own name.
+/// Something better not written over, except by its own name, and by the names of what lies on it.
 struct Obstacle {
   OrientedBox box;
   std::size_t wish = 0;  ///< index of its own wish
+  bool small = false;    ///< a name would hide it: avoided with more effort
 };
 
 struct LabelArea {

@@ -55,10 +55,10 @@ class RoomMaker {
 /// A furnished office of 7.2 m by 4.8 m.
 inline FloorPlan office(double turned_deg = 0) {
   RoomMaker room(turned_deg);
-  room.plan.title = "Office 2.14";
+  room.plan.title = "Office";
   room.flat("floor", "#c8b48c", 3.6, 2.4, 7.2, 4.8, 0, 0.99).flat("ceiling", "#eceff1", 3.6, 2.4, 7.2, 4.8, 2.6, 0.98);
-  room.steep("wall", "#90a4ae", 7.2, 0, 0, 0, 0, 2.6).steep("wall", "#90a4ae", 7.2, 4.8, 7.2, 0, 0, 2.6);
-  room.steep("wall", "#90a4ae", 0, 4.8, 7.2, 4.8, 0, 2.6).steep("wall", "#90a4ae", 0, 0, 0, 4.8, 0, 2.6, 0.8);
+  room.steep("wall", "#90a4ae", 0, 0, 7.2, 0, 0, 2.6).steep("wall", "#90a4ae", 7.2, 0, 7.2, 4.8, 0, 2.6);
+  room.steep("wall", "#90a4ae", 7.2, 4.8, 0, 4.8, 0, 2.6).steep("wall", "#90a4ae", 0, 4.8, 0, 0, 0, 2.6, 0.8);
   room.steep("door", "#a1662f", 6.0, 0.02, 5.1, 0.02, 0, 2.0).steep("window", "#4fc3f7", 1.2, 4.78, 3.0, 4.78, 0.9, 2.2);
   room.steep("window", "#4fc3f7", 4.0, 4.78, 5.8, 4.78, 0.9, 2.2).steep("whiteboard", "#b2dfdb", 7.18, 3.4, 7.18, 1.6, 1.0, 2.0, 0.7);
   for (const double x : {1.6, 3.2}) {
