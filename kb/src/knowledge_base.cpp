@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "guard.hpp"
 #include "implementation.hpp"
 #include "knowledge_rows.hpp"
 #include "schema.hpp"
@@ -131,6 +132,23 @@ Knowledge KnowledgeBase::knowledge() const {
   Knowledge knowledge = read_knowledge(implementation_->database);
   validate(knowledge, implementation_->database.name());
   return knowledge;
+}
+
+void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& source) {
+  Database& database = implementation_->database;
+  Transaction transaction(database);
+  try {
+    const Guard guard(database, Permission::knowledge);
+    try {
+      database.execute(sql);
+    } catch (const Error& error) {
+      guard.explain(error);
+    }
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
+  }
+  validate(read_knowledge(database), source + ": " + database.name());
+  transaction.commit();
 }
 
 std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(implementation_->database); }

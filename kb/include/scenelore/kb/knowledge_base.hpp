@@ -70,6 +70,9 @@ class KnowledgeBase {
 
   /// Checked: one fallback class, sigma > 0, ranges, names that exist; the error names table and row.
   [[nodiscard]] Knowledge knowledge() const;
+  /// Runs SQL that changes the knowledge tables (a knowledge pack, learned rows) in one transaction, then checks the whole
+  /// knowledge: an error names `source` and leaves everything as it was. Other tables, ATTACH and the like are refused.
+  void apply_knowledge(const std::string& sql, const std::string& source);
   /// SHA-256 of the knowledge tables' content in a canonical order.
   [[nodiscard]] std::string knowledge_hash() const;
 

@@ -1,0 +1,54 @@
+// Learning from labelled planes: densities, Gaussians and priors as rows that a person can read and edit.
+//
+//   LearnedRows rows = learn(base.knowledge(), {features, classes});
+//   std::ofstream("office_learned.sql") << to_sql(rows);
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenelore/kb/evidence.hpp"
+#include "scenelore/kb/knowledge.hpp"
+
+namespace scenelore::kb {
+
+/// What is learned from: one row of features and one class a plane. Leave scraps of planes out beforehand: a sliver of
+/// a wall teaches that walls are small.
+struct LabelledPlanes {
+  FeatureTable features;
+  std::vector<std::string> classes;  ///< one a plane; empty = not known, left out
+};
+
+struct LearnOptions {
+  int min_examples = 12;           ///< classes with fewer keep their rows
+  double gaussian_strength = 12;   ///< pretended examples drawn from the Gaussian: what small n is shrunk towards
+  double prior_strength = 30;      ///< pretended planes distributed like the present priors
+  int bins = 20;                   ///< at most, of each histogram
+  double outliers = 0.02;          ///< share of examples that may lie outside, half at either end, without moving the fit
+};
+
+struct LearnedClass {
+  std::string object_class;
+  int examples = 0;
+  double prior = 0;                          ///< share of planes
+  std::vector<ClassFeature> gaussians;       ///< empty when there were too few examples
+  std::vector<ClassDensity> densities;
+};
+
+/// By class id; features in the knowledge's order.
+struct LearnedRows {
+  std::vector<LearnedClass> classes;
+  std::vector<std::string> notes;  ///< a sentence per class that keeps its rows
+};
+
+/// Fits, for each class and each feature of the knowledge that counts (weight above 0) and that the table has, a Gaussian (on the feature's scale, robust
+/// to outliers) and a histogram (kernel estimate, shrunk towards that Gaussian for small n). The fallback class is
+/// learned like any other. Deterministic; the order of planes does not matter but for rounding.
+/// Throws Error for a class that the knowledge lacks, and for sizes that do not fit.
+[[nodiscard]] LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options = {});
+
+/// Statements that put the rows in place of those of the same classes: numbers with 4 significant digits, one histogram a
+/// statement, the same bytes for the same rows.
+[[nodiscard]] std::string to_sql(const LearnedRows& rows);
+
+}  // namespace scenelore::kb

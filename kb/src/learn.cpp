@@ -1,0 +1,111 @@
+#include "scenelore/kb/learn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "density_fit.hpp"
+#include "likelihood.hpp"
+#include "scenelore/kb/error.hpp"
+#include "suggest.hpp"
+
+namespace scenelore::kb {
+
+namespace {
+
+void check_input(const Knowledge& knowledge, const LabelledPlanes& planes) {
+  if (planes.classes.size() != planes.features.values.size()) {
+    throw Error("learning: " + std::to_string(planes.classes.size()) + " classes for " +
+                std::to_string(planes.features.values.size()) + " planes");
+  }
+  std::vector<std::string> known;
+  for (const ObjectClass& c : knowledge.classes) known.push_back(c.name);
+  for (const std::string& name : planes.classes) {
+    if (!name.empty() && knowledge.class_index(name) < 0) {
+      throw Error("learning: class '" + name + "' does not exist" + did_you_mean(name, known));
+    }
+  }
+}
+
+// Values of one feature of one class on the feature's scale, ascending.
+std::vector<double> examples_of(const LabelledPlanes& planes, const std::string& object_class, std::size_t column,
+                                const Feature& feature) {
+  std::vector<double> values;
+  for (std::size_t p = 0; p < planes.classes.size(); ++p) {
+    const double value = planes.features.values[p][column];
+    if (planes.classes[p] == object_class && std::isfinite(value)) values.push_back(on_scale(feature, value));
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// Angles are cut open opposite to where they gather, so that the fit on a line is right.
+double circular_middle(const std::vector<double>& values, double turn) {
+  const double to_radians = 2 * M_PI / turn;
+  double sine = 0, cosine = 0;
+  for (const double value : values) {
+    sine += std::sin(value * to_radians);
+    cosine += std::cos(value * to_radians);
+  }
+  return std::atan2(sine, cosine) / to_radians;
+}
+
+void fit_circular(LearnedClass& learned, const Feature& feature, std::vector<double> values, const LearnOptions& options) {
+  const double turn = range_on_scale(feature), middle = circular_middle(values, turn);
+  for (double& value : values) value = middle + std::remainder(value - middle, turn);
+  std::sort(values.begin(), values.end());
+  const Gaussian gaussian = fit_gaussian(values, turn, options);
+  learned.gaussians.push_back({learned.object_class, feature.name, gaussian.mean, gaussian.sigma});
+}
+
+void fit_feature(LearnedClass& learned, const Feature& feature, const std::vector<double>& values, const LearnOptions& options) {
+  if (feature.scale == Scale::circular) return fit_circular(learned, feature, values, options);
+  const double low = on_scale(feature, feature.low), high = on_scale(feature, feature.high);
+  const Gaussian gaussian = fit_gaussian(values, high - low, options);
+  learned.gaussians.push_back({learned.object_class, feature.name, gaussian.mean, gaussian.sigma});
+  const auto unit = [&](double at) { return feature.scale == Scale::log ? std::exp(at) : at; };
+  for (const Bin& bin : fit_histogram(values, gaussian, low, high, options)) {
+    learned.densities.push_back({learned.object_class, feature.name, unit(bin.low), unit(bin.high), bin.density});
+  }
+}
+
+// The mean of a Dirichlet posterior: (n_C + k π_C) / (n + k), π the present priors.
+void fit_priors(const Knowledge& knowledge, const LearnOptions& options, std::vector<LearnedClass>& classes) {
+  double priors = 0, examples = 0;
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    priors += knowledge.classes[c].prior;
+    examples += classes[c].examples;
+  }
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    const double present = knowledge.classes[c].prior / priors;
+    classes[c].prior = (classes[c].examples + options.prior_strength * present) / (examples + options.prior_strength);
+  }
+}
+
+}  // namespace
+
+LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options) {
+  check_input(knowledge, planes);
+  LearnedRows rows;
+  for (const ObjectClass& c : knowledge.classes) {
+    LearnedClass& learned = rows.classes.emplace_back();
+    learned.object_class = c.name;
+    learned.examples = static_cast<int>(std::count(planes.classes.begin(), planes.classes.end(), c.name));
+    if (learned.examples < options.min_examples) {
+      rows.notes.push_back("class '" + c.name + "' keeps its rows: " + std::to_string(learned.examples) +
+                           " examples, " + std::to_string(options.min_examples) + " are needed");
+      continue;
+    }
+    for (const Feature& feature : knowledge.features) {
+      const auto found = std::find(planes.features.names.begin(), planes.features.names.end(), feature.name);
+      if (found == planes.features.names.end() || feature.weight <= 0) continue;
+      const auto column = static_cast<std::size_t>(found - planes.features.names.begin());
+      const std::vector<double> values = examples_of(planes, c.name, column, feature);
+      if (static_cast<int>(values.size()) >= options.min_examples) fit_feature(learned, feature, values, options);
+    }
+  }
+  fit_priors(knowledge, options, rows.classes);
+  return rows;
+}
+
+}  // namespace scenelore::kb
