@@ -56,11 +56,13 @@ void check_exists(const fs::path& path) {
   if (!error && size == 0) throw Error(path.string() + ": is empty, so no knowledge base");
 }
 
-// At rest the file has one part. GIS programs leave it in WAL mode, which this undoes; it fails, and does not matter,
-// while another program has the file open.
-void leave_wal_mode(Database& database) {
+// At rest the file has one part. GIS programs leave it in WAL mode, which this undoes; a writer that was killed before it
+// changed anything leaves a journal without content, which the next change removes. Both fail, and do not matter, while
+// another program has the file open.
+void tidy(Database& database) {
   try {
     database.execute("PRAGMA journal_mode = DELETE");
+    if (std::filesystem::exists(database.name() + "-journal")) database.execute("UPDATE scenelore_meta SET id = id");
   } catch (const Error&) {
   }
 }
@@ -124,7 +126,7 @@ KnowledgeBase KnowledgeBase::open(const fs::path& path, Access access) {
     throw Error(database.name() + ": was written by a newer Scenelore (schema version " + std::to_string(version) +
                 "); this program can read it, but must not write it: update Scenelore");
   }
-  if (access == Access::read_write && !database.read_only()) leave_wal_mode(database);
+  if (access == Access::read_write && !database.read_only()) tidy(database);
   return KnowledgeBase(std::move(implementation));
 }
 

@@ -46,7 +46,7 @@ void KnowledgeBase::query(const std::string& sql, const std::function<void(const
   const Guard guard(database, Permission::read, limits);
   try {
     Statement statement = database.prepare(sql);
-    if (!statement.only_reads()) throw Error(database.name() + ": a query only reads [" + sql + "]");
+    if (!statement.only_reads()) throw Error(database.name() + ": is refused, since a query only reads: " + sql);
     std::vector<std::string> names;
     for (int column = 0; column < statement.columns(); ++column) names.push_back(statement.column_name(column));
     header(names);
