@@ -1,6 +1,7 @@
 #include "assign.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "parallel.hpp"
 
@@ -30,7 +31,7 @@ Present regions_in_cells(const CellIndex& cells, const std::vector<std::int32_t>
   return present;
 }
 
-std::vector<std::int32_t> candidates(const CellIndex& cells, const Present& present, std::size_t cell) {
+std::vector<std::int32_t> candidates(const CellIndex& cells, const Present& present, const Regions& regions, std::size_t cell) {
   std::vector<std::int32_t> result;
   for (int d = 0; d < 27; ++d) {
     const std::int32_t n = cells.find(moved(cells.key(cell), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
@@ -39,9 +40,16 @@ std::vector<std::int32_t> candidates(const CellIndex& cells, const Present& pres
       if (std::find(result.begin(), result.end(), present.regions[k]) == result.end()) result.push_back(present.regions[k]);
     }
   }
-  std::sort(result.begin(), result.end());
+  // Largest first.
+  std::sort(result.begin(), result.end(), [&](std::int32_t a, std::int32_t b) {
+    return std::pair(-regions.planes[a].count, a) < std::pair(-regions.planes[b].count, b);
+  });
   return result;
 }
+
+constexpr double kExplained = 0.8;  // of the tolerance
+
+bool parallel(const PlaneFit& a, const PlaneFit& b) { return std::abs(a.normal.dot(b.normal)) > 0.94; }  // 20 degrees
 
 }  // namespace
 
@@ -51,7 +59,7 @@ void assign_points(const Cloud& cloud, const CellIndex& cells, const Limits& lim
   for (std::size_t r = 0; r < per_tolerance.size(); ++r) per_tolerance[r] = 1 / tolerance(regions.planes[r], limits);
   parallel_pieces(cells.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      const std::vector<std::int32_t> near = candidates(cells, present, c);
+      const std::vector<std::int32_t> near = candidates(cells, present, regions, c);
       for (const std::uint32_t i : cells.items(c)) {
         if (only_free && regions.of_point[i] >= 0) continue;
         const Eigen::Vector3d p = cloud.offset(i).cast<double>();
@@ -59,7 +67,10 @@ void assign_points(const Cloud& cloud, const CellIndex& cells, const Limits& lim
         std::int32_t owner = -1;
         for (const std::int32_t r : near) {
           const double d = std::abs(regions.planes[r].distance(p)) * per_tolerance[r];
-          if (d < best) best = d, owner = r;
+          if (d >= best) continue;
+          // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
+          if (owner >= 0 && best < kExplained && parallel(regions.planes[r], regions.planes[owner])) continue;
+          best = d, owner = r;
         }
         regions.of_point[i] = owner;
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "cell_index.hpp"
@@ -19,7 +20,7 @@ double cell_size(double step, double spread) {
 class Connector {
  public:
   Connector(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, const Limits& limits)
-      : cloud_(cloud), points_(points), step_(limits.max_point_distance), most_(std::max<std::size_t>(1, limits.max_neighbours)) {
+      : cloud_(cloud), points_(points), step_(limits.max_point_distance), most_(std::max<std::size_t>(1, limits.max_neighbours)), axes_(plane.axes) {
     double spread = 0;
     for (const std::uint32_t i : points) spread = std::max(spread, std::abs(plane.distance(cloud.offset(i).cast<double>())));
     const double size = cell_size(step_, spread);
@@ -35,6 +36,7 @@ class Connector {
     cells_ = CellIndex(keys);
     parent_.resize(cells_.size());
     std::iota(parent_.begin(), parent_.end(), 0);
+    choose_speakers();
   }
 
   std::vector<std::vector<std::uint32_t>> parts() {
@@ -85,13 +87,34 @@ class Connector {
     }
   }
 
+  /// The points of each cell that lie furthest out in eight directions, and some in between: where two cells come near
+  /// each other, some of these do.
+  void choose_speakers() {
+    speakers_.resize(cells_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const auto items = cells_.items(c);
+      std::vector<std::uint32_t>& chosen = speakers_[c];
+      if (items.size() <= most_) {
+        chosen.assign(items.begin(), items.end());
+        continue;
+      }
+      const std::size_t between = most_ > 16 ? most_ - 8 : most_ / 2;
+      for (std::size_t k = 0; k < between; ++k) chosen.push_back(items[k * items.size() / between]);
+      for (int direction = 0; direction < 8 && chosen.size() < most_; ++direction) {
+        const double angle = direction * std::numbers::pi / 4;
+        const Eigen::Vector3f along = (std::cos(angle) * axes_.col(1) + std::sin(angle) * axes_.col(2)).cast<float>();
+        const auto out = [&](std::uint32_t k) { return along.dot(cloud_.offset(points_[k])); };
+        chosen.push_back(*std::max_element(items.begin(), items.end(), [&](auto a, auto b) { return out(a) < out(b); }));
+      }
+    }
+  }
+
   bool within_step(std::size_t a, std::size_t b) const {
-    const auto first = cells_.items(a), second = cells_.items(b);
-    const float limit = static_cast<float>(step_ * step_);
-    for (std::size_t i = 0; i < std::min(most_, first.size()); ++i) {
-      const Eigen::Vector3f p = cloud_.offset(points_[first[i]]);
-      for (std::size_t j = 0; j < std::min(most_, second.size()); ++j) {
-        if ((cloud_.offset(points_[second[j]]) - p).squaredNorm() <= limit) return true;
+    const auto limit = static_cast<float>(step_ * step_);
+    for (const std::uint32_t i : speakers_[a]) {
+      const Eigen::Vector3f p = cloud_.offset(points_[i]);
+      for (const std::uint32_t j : speakers_[b]) {
+        if ((cloud_.offset(points_[j]) - p).squaredNorm() <= limit) return true;
       }
     }
     return false;
@@ -102,7 +125,9 @@ class Connector {
   double step_;
   std::size_t most_;
   int reach_ = 1, depth_ = 0;
+  Eigen::Matrix3d axes_;
   CellIndex cells_;
+  std::vector<std::vector<std::uint32_t>> speakers_;  ///< by cell
   std::vector<std::int32_t> parent_;
 };
 

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <iterator>
 
+#include "absorb.hpp"
 #include "assign.hpp"
+#include "clutter.hpp"
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
+#include "promises.hpp"
 #include "scale.hpp"
+#include "thin_objects.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -31,9 +35,18 @@ void take_points(const Cloud& cloud, const VoxelGrid& grid, const Growth& growth
   regions.planes.insert(regions.planes.end(), growth.regions.begin(), growth.regions.end());
 }
 
+/// The planes that hold points, most points first.
+std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
+  std::vector<PlaneFit> result;
+  std::copy_if(planes.begin(), planes.end(), std::back_inserter(result), [](const PlaneFit& p) { return p.count > 0; });
+  std::stable_sort(result.begin(), result.end(), [](const PlaneFit& a, const PlaneFit& b) { return a.count > b.count; });
+  return result;
+}
+
 }  // namespace
 
-FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads) {
+FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads,
+                          const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z) {
   check(parameters);
   FoundRegions found;
   const Scale scale = estimate_scale(cloud, threads);
@@ -42,9 +55,11 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
   Regions& regions = found.regions;
   regions.of_point.assign(cloud.size(), -1);
   double size = scale.voxel;
+  CellIndex cells;                     // the finest voxels, of all points
+  std::vector<LocalSurface> finest;    // their surroundings
   for (int level = 0; level < kLevels; ++level, size *= 2) {
     VoxelGrid grid = make_voxel_grid(cloud, size, regions.of_point, threads);
-    const std::vector<LocalSurface> surfaces = local_surfaces(grid, threads);
+    std::vector<LocalSurface> surfaces = local_surfaces(grid, threads);
     const NoiseMap noise = estimate_noise(grid, surfaces, threads);
     if (level == 0) {
       found.noise = noise.typical;
@@ -52,17 +67,25 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
     }
     const Growth growth = grow_regions(grid, surfaces, noise, kFewestToGrow);
     take_points(cloud, grid, growth, found.limits, regions);
-    if (level == 0) found.cells = std::move(grid.cells);
+    if (level == 0) {
+      cells = std::move(grid.cells);
+      finest = std::move(surfaces);
+    }
     refit(cloud, regions);
     // What growing left along the edges must not become regions of its own on the next level.
-    assign_points(cloud, found.cells, found.limits, true, threads, regions);
+    assign_points(cloud, cells, found.limits, true, threads, regions);
   }
   for (int round = 0; round < 2; ++round) {
     refit(cloud, regions);
-    merge_regions(cloud, found.cells, 2, found.noise, regions);
-    assign_points(cloud, found.cells, found.limits, false, threads, regions);
+    merge_regions(cloud, cells, 2, found.limits.max_plane_distance / 3, regions);
+    absorb_fragments(cloud, cells, found.limits, regions);
+    assign_points(cloud, cells, found.limits, false, threads, regions);
   }
   refit(cloud, regions);
+  drop_clutter(cloud, cells, finest, scale.voxel, regions);
+  found.upright = estimate_upright(cloud, by_size(regions.planes), up, floor_z);
+  split_thin_objects(cloud, found.upright, found.limits, regions);
+  keep_promises(cloud, found.limits, threads, regions);
   return found;
 }
 

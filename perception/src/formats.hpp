@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mapped_file.hpp"
-#include "output_file.hpp"
+#include "scenelore/perception/output_file.hpp"
 #include "scenelore/perception/point_table.hpp"
 
 namespace scenelore::perception {

@@ -4,47 +4,12 @@
 #include <numeric>
 #include <utility>
 
+#include "adjacency.hpp"
+
 namespace scenelore::perception {
 namespace {
 
 using Pair = std::pair<std::int32_t, std::int32_t>;
-
-/// Pairs of regions, smaller number first, that hold points in the same or in adjacent coarse cells.
-std::vector<Pair> neighbouring_pairs(const CellIndex& cells, int reach, const Regions& regions) {
-  std::vector<std::pair<CellKey, std::int32_t>> present;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto [x, y, z] = coordinates(cells.key(c));
-    const auto floor_div = [reach](std::int64_t a) { return a >= 0 ? a / reach : -((-a + reach - 1) / reach); };
-    const CellKey coarse = cell_key(floor_div(x), floor_div(y), floor_div(z));
-    std::int32_t last = -1;
-    for (const std::uint32_t i : cells.items(c)) {
-      const std::int32_t r = regions.of_point[i];
-      if (r < 0 || r == last) continue;
-      present.emplace_back(coarse, last = r);
-    }
-  }
-  std::sort(present.begin(), present.end());
-  present.erase(std::unique(present.begin(), present.end()), present.end());
-  std::vector<CellKey> keys(present.size());
-  for (std::size_t i = 0; i < present.size(); ++i) keys[i] = present[i].first;
-  const CellIndex index(keys);
-  std::vector<Pair> pairs;
-  for (std::size_t c = 0; c < index.size(); ++c) {
-    for (int d = 0; d < 27; ++d) {
-      const std::int32_t other = d == 13 ? static_cast<std::int32_t>(c) : index.find(moved(index.key(c), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
-      if (other < static_cast<std::int32_t>(c)) continue;
-      for (const std::uint32_t a : index.items(c)) {
-        for (const std::uint32_t b : index.items(static_cast<std::size_t>(other))) {
-          const std::int32_t p = present[a].second, q = present[b].second;
-          if (p != q) pairs.emplace_back(std::min(p, q), std::max(p, q));
-        }
-      }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
 
 /// How much worse the joint plane is for the part that suffers more, in that part's own deviations; 1 = not worse.
 double joint_deviation(const Moments& a, const Moments& b, double noise) {
@@ -52,7 +17,7 @@ double joint_deviation(const Moments& a, const Moments& b, double noise) {
   both += b;
   const PlaneFit joint = fit_plane_fast(both);
   const auto worse = [&](const Moments& part) {
-    const double own = std::max(fit_plane_fast(part).variances[0], 0.25 * noise * noise);
+    const double own = std::max(fit_plane_fast(part).variances[0], noise * noise);
     // A small region's own deviation is uncertain; its limit widens with √(2/n) as in growing.
     return std::sqrt(part.mean_squared_distance(joint) / (own * (1 + 2 * std::sqrt(2 / part.n))));
   };
@@ -75,7 +40,7 @@ void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double
     while (parent[r] != r) r = parent[r] = parent[parent[r]];
     return r;
   };
-  std::vector<Pair> pairs = neighbouring_pairs(cells, reach, regions);
+  const std::vector<Pair> pairs = touching_regions(cells, reach, regions.of_point);
   for (bool changed = true; changed;) {
     changed = false;
     // The best joins first: a wrong one spoils the plane that later ones are judged by.

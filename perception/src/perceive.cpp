@@ -6,7 +6,6 @@
 #include "find_regions.hpp"
 #include "limits.hpp"
 #include "parallel.hpp"
-#include "promises.hpp"
 #include "scenelore/perception/error.hpp"
 #include "scenelore/perception/features.hpp"
 #include "words.hpp"
@@ -57,13 +56,12 @@ void warn(const Cloud& cloud, Perception& result) {
 
 Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   if (options.threads < 1) throw Error("the number of threads is " + std::to_string(options.threads) + "; it must be at least 1");
-  FoundRegions found = find_regions(cloud, options.parameters, options.threads);
+  FoundRegions found = find_regions(cloud, options.parameters, options.threads, options.up, options.floor_z);
   Perception result;
   result.parameters = to_parameters(found.limits);
   result.spacing = found.spacing;
   result.noise = found.noise;
-  result.upright = estimate_upright(cloud, found.regions.planes, options.up, options.floor_z);
-  keep_promises(cloud, found.limits, options.threads, found.regions);
+  result.upright = found.upright;
   const auto points = points_of_regions(found.regions.of_point, found.regions.planes.size());
   result.planes.resize(points.size());
   const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.max_point_distance / 2)};

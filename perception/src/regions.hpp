@@ -25,7 +25,7 @@ struct Regions {
   std::vector<PlaneFit> planes;        ///< in the cloud's offsets
 };
 
-/// How far from its plane a point may lie: three deviations of the plane's own points, within the limits.
+/// How far from its plane a point may lie: four deviations of the plane's own points, between 0.7 times the limit and the limit.
 [[nodiscard]] double tolerance(const PlaneFit& plane, const Limits& limits);
 
 /// The points of each region, in order. `count` regions.

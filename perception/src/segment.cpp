@@ -2,13 +2,11 @@
 
 #include "find_regions.hpp"
 #include "limits.hpp"
-#include "promises.hpp"
 
 namespace scenelore::perception {
 
 Segmentation segment(const Cloud& cloud, const SegmentationParameters& parameters, int threads) {
   FoundRegions found = find_regions(cloud, parameters, threads);
-  keep_promises(cloud, found.limits, threads, found.regions);
   Segmentation result;
   result.parameters = to_parameters(found.limits);
   result.voxel = found.voxel;
