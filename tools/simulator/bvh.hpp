@@ -1,4 +1,4 @@
-// Exact ray casting among many shapes: a binary tree of bounding boxes, split at the median of the longest axis.
+// Exact ray casting among many shapes: a binary tree of bounding boxes.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Bvh {
     std::uint32_t first = 0;  ///< of its shapes, or of its two children
     std::uint32_t count = 0;  ///< of its shapes; 0 in an inner node
   };
-  void build(std::size_t node, std::uint32_t first, std::uint32_t last);
+  void build(std::size_t node, std::uint32_t first, std::uint32_t last, int depth);
 
   std::vector<Shape> shapes_;
   std::vector<Node> nodes_;

@@ -20,7 +20,8 @@ void draw_legs(Office& office, const Brush& brush, const std::string& thing, con
   const double under = size.seat_height - size.pad;
   if (!size.swivel) {
     for (const double x : {-size.half_width + 0.02, size.half_width - 0.02}) {
-      for (const double y : {-size.half_depth + 0.02, size.half_depth - 0.02}) brush.tube(legs, {x, y, 0}, {0, 0, under}, 0.012);
+      for (const double y : {-size.half_depth + 0.02, size.half_depth - 0.02})
+        brush.tube(legs, {x, y, 0}, {0, 0, under}, 0.012);
     }
     return;
   }
@@ -47,18 +48,24 @@ void draw_back(Office& office, const Brush& brush, const std::string& thing, con
     const int panel = back.object(ObjectClass::chair_back, thing, material);
     back.at(0, 0, 0, kPi).panel(panel, rest, {-size.half_width, -0.04, 0}, {size.half_width, 0, high});
   }
-  for (const double x : {-0.05, 0.03}) brush.box({x, size.half_depth - 0.05, size.seat_height - 0.06}, {x + 0.02, size.half_depth, size.back_low + 0.05}, rest);
+  for (const double x : {-0.05, 0.03})
+    brush.box({x, size.half_depth - 0.05, size.seat_height - 0.06}, {x + 0.02, size.half_depth, size.back_low + 0.05},
+              rest);
   if (random.chance(0.12)) {  // a coat over it
-    back.ellipsoid(back.clutter(office.name("coat"), Material::dark_fabric), {0, 0.05, high - 0.2}, {size.half_width + 0.03, 0.07, 0.3});
+    back.ellipsoid(back.clutter(office.name("coat"), Material::dark_fabric), {0, 0.05, high - 0.2},
+                   {size.half_width + 0.03, 0.07, 0.3});
   }
 }
 
 void draw_chair(Office& office, const Brush& brush, const ChairSize& size) {
   Random& random = office.random;
   const std::string thing = office.name("chair");
-  const Material material = random.pick({Material::fabric, Material::dark_fabric, Material::dark_fabric, size.swivel ? Material::black_plastic : Material::wood});
-  const int seat = brush.object(ObjectClass::chair_seat, thing, material), edges = brush.clutter(thing + " edges", material);
-  brush.box({-size.half_width, -size.half_depth, size.seat_height - size.pad}, {size.half_width, size.half_depth, size.seat_height}, {.top = seat, .others = edges});
+  const Material material = random.pick({Material::fabric, Material::dark_fabric, Material::dark_fabric,
+                                         size.swivel ? Material::black_plastic : Material::wood});
+  const int seat = brush.object(ObjectClass::chair_seat, thing, material),
+            edges = brush.clutter(thing + " edges", material);
+  brush.box({-size.half_width, -size.half_depth, size.seat_height - size.pad},
+            {size.half_width, size.half_depth, size.seat_height}, {.top = seat, .others = edges});
   draw_back(office, brush, thing, size, material);
   draw_legs(office, brush, thing, size);
   if (size.arms) {
@@ -88,15 +95,16 @@ void add_chair(Office& office, const Desk& desk) {
     const double y = desk.depth / 2 + (tucked ? random.between(-0.12, 0.1) : random.between(0.1, 0.5));
     const double yaw = tucked ? random.between(-0.25, 0.25) : random.normal() * 0.5;
     const double x = random.between(-0.3, 0.3);
-    Eigen::Isometry3d frame = desk.frame;
-    frame.translate(Vector3d(x, y, 0)).rotate(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
-    const double w = size.half_width + 0.05, d = size.half_depth, seat_top = size.seat_height + (size.arms ? 0.21 : 0.01);
+    const Eigen::Isometry3d frame = placed(desk.frame, x, y, yaw);
+    const double w = size.half_width + 0.05, d = size.half_depth,
+                 seat_top = size.seat_height + (size.arms ? 0.21 : 0.01);
     const std::vector<Volume> space{volume(frame, {-w, -d - 0.03, 0}, {w, d + 0.06, seat_top}),
                                     volume(frame, {-w, d - 0.14, size.seat_height}, {w, d + 0.18, size.back_high})};
     if (!office.taken.free(space)) continue;
     for (const Volume& part : space) office.taken.add(part);
     draw_chair(office, office.on(frame), size);
-    if (!tucked && y > desk.depth / 2 + 0.25 && random.chance(0.15)) draw_person(office, office.on(frame).at(0, 0.04, size.seat_height + 0.02), true);
+    if (!tucked && y > desk.depth / 2 + 0.25 && random.chance(0.15))
+      draw_person(office, office.on(frame).at(0, 0.04, size.seat_height + 0.02), true);
     return;
   }
 }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFocal = 589.4, kBaseline = 0.075;  // pixels of a 640-pixel line; metres
 constexpr double kNearest = 0.5, kFarthest = 8;      // metres of depth
-constexpr double kStep = 0.125;                      // pixels; the disparity's resolution (Khoshelham and Elberink 2012)
-constexpr double kReference = 3;                     // metres; the depth at which the noise is what the option says
+constexpr double kStep = 0.125;   // pixels; the disparity's resolution (Khoshelham and Elberink 2012)
+constexpr double kReference = 3;  // metres; the depth at which the noise is what the option says
 
 struct Pixel {
   double disparity = 0;  ///< pixels; 0 = hole
@@ -21,8 +21,12 @@ struct Pixel {
 class Frame {
  public:
   Frame(const World& world, const SensorPose& pose, double scale)
-      : world_(world), pose_(pose), width_(std::max(1, static_cast<int>(640 / scale))), height_(std::max(1, static_cast<int>(480 / scale))),
-        focal_(kFocal * width_ / 640), turn_(Eigen::AngleAxisd(pose.heading, Vector3d::UnitZ()) * Eigen::AngleAxisd(pose.pitch, Vector3d::UnitY())) {}
+      : world_(world),
+        pose_(pose),
+        width_(std::max(1, static_cast<int>(640 / scale))),
+        height_(std::max(1, static_cast<int>(480 / scale))),
+        focal_(kFocal * width_ / 640),
+        turn_(Eigen::AngleAxisd(pose.heading, Vector3d::UnitZ()) * Eigen::AngleAxisd(pose.pitch, Vector3d::UnitY())) {}
 
   [[nodiscard]] std::vector<Sample> take();
 
@@ -32,11 +36,14 @@ class Frame {
     return {1, (0.5 * width_ - column - 0.5) / focal_, (0.5 * height_ - row - 0.5) / focal_};
   }
   [[nodiscard]] Random stream(int column, int row, std::uint64_t what) const {
-    return Random(world_.seed, (static_cast<std::uint64_t>(pose_.number) << 48) + (what << 40) + static_cast<std::uint64_t>(row) * 1'000'003U + static_cast<std::uint64_t>(column));
+    return Random(world_.seed, (static_cast<std::uint64_t>(pose_.number) << 48) + (what << 40) +
+                                   static_cast<std::uint64_t>(row) * 1'000'003U + static_cast<std::uint64_t>(column));
   }
   [[nodiscard]] Pixel look(int column, int row) const;
   [[nodiscard]] Pixel match(int column, int row) const;
-  [[nodiscard]] const Pixel& exact(int column, int row) const { return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)]; }
+  [[nodiscard]] const Pixel& exact(int column, int row) const {
+    return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
+  }
 
   const World& world_;
   SensorPose pose_;
@@ -56,8 +63,11 @@ Pixel Frame::look(int column, int row) const {
   if (hit.shape == nullptr) return {};
   const double depth = (hit.range + world_.bias[static_cast<std::size_t>(hit.shape->surface)]) / along.norm();
   const double cosine = incidence(hit, ray), strength = brightness(hit, cosine) * 16 / (hit.range * hit.range);
-  if (depth < kNearest || depth > kFarthest || !random.chance(strength / (strength + 0.02)) || cosine < random.between(0.08, 0.2)) return {};
-  const Vector3d point = ray.origin + hit.range * ray.direction, projector = pose_.position + turn_ * Vector3d(0, kBaseline, 0);
+  if (depth < kNearest || depth > kFarthest || !random.chance(strength / (strength + 0.02)) ||
+      cosine < random.between(0.08, 0.2))
+    return {};
+  const Vector3d point = ray.origin + hit.range * ray.direction,
+                 projector = pose_.position + turn_ * Vector3d(0, kBaseline, 0);
   const Vector3d way = projector - point;
   const double distance = way.norm();
   const bool shaded = world_.shapes.cast({point, way / distance}, 2e-3, distance).shape != nullptr;
@@ -70,7 +80,8 @@ Pixel Frame::match(int column, int row) const {
   Random random = stream(column, row, 1);
   const Pixel& middle = exact(column, row);
   const int reach = 2;
-  const int other_column = std::clamp(column + random.integer(-reach, reach), 0, width_ - 1), other_row = std::clamp(row + random.integer(-reach, reach), 0, height_ - 1);
+  const int other_column = std::clamp(column + random.integer(-reach, reach), 0, width_ - 1),
+            other_row = std::clamp(row + random.integer(-reach, reach), 0, height_ - 1);
   const Pixel& other = exact(other_column, other_row);
   // The front grows over the rear, and into holes, by a pixel or two.
   Pixel base = other.disparity > middle.disparity + 0.5 && random.chance(0.7) ? other : middle;
@@ -88,18 +99,21 @@ Pixel Frame::match(int column, int row) const {
   if (like * 4 < all) return {};
   const double at_reference = world_.noise * kFocal * kBaseline / (kReference * kReference);
   const double noisy = sum / like + at_reference * random.normal();
-  return {std::round(noisy / kStep) * kStep, base.object == middle.object ? middle.object : -1};
+  // Away from edges a filled hole belongs to what surrounds it; at edges what grew over is a mixed pixel.
+  const bool surrounded = like * 4 >= all * 3;
+  return {std::round(noisy / kStep) * kStep, base.object == middle.object || surrounded ? base.object : -1};
 }
 
 std::vector<Sample> Frame::take() {
   pixels_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   // Rows are independent: each thread writes its own.
-  (void)measure_lines(height_, [&](int row, std::vector<Sample>&) {
+  (void)measure_lines(height_, world_.threads, [&](int row, std::vector<Sample>&) {
     for (int column = 0; column < width_; ++column) {
-      pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)] = look(column, row);
+      pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)] =
+          look(column, row);
     }
   });
-  return measure_lines(height_, [&](int row, std::vector<Sample>& samples) {
+  return measure_lines(height_, world_.threads, [&](int row, std::vector<Sample>& samples) {
     for (int column = 0; column < width_; ++column) {
       const Pixel pixel = match(column, row);
       if (pixel.disparity <= 0) continue;

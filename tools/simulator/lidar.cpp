@@ -11,8 +11,10 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFirstTilt = -60 * kDegree, kLastTilt = 75 * kDegree;  // upwards, downwards
 constexpr double kNearest = 0.1, kFarthest = 30;                        // metres
-constexpr double kFootprint = 0.003;   // half the beam's angle, radians; the data sheet tells 0.4 m at 30 m for all of it
-constexpr double kPulse = 1.2;         // metres; echoes closer than this run into one another
+constexpr double kFootprint =
+    0.0045;  // half the beam's angle, radians; the data sheet's spot is 0.4 m wide at 30 m, its bright part less
+constexpr double kPulse = 1.5;   // metres; echoes closer than this run into one another
+constexpr double kMixing = 0.6;  // how often such echoes are measured as one, between the two
 
 struct Reading {
   double range = kMiss;
@@ -44,10 +46,12 @@ Reading measure(const World& world, const Ray& ray, Random& random) {
   if (lost(strength, random)) return {};
   const double error = spread(world, hit, cosine, strength) * random.normal();
   // A second ray within the footprint tells whether the beam straddles an edge; then the echoes may mix.
-  const Hit other = world.shapes.cast(beside(ray, random), 0.02, kFarthest);
-  const double gap = other.shape == nullptr ? kMiss : std::abs(other.range - hit.range), share = random.uniform();
-  if (gap > 0.05 && gap < kPulse && other.shape->surface != hit.shape->surface && random.chance(0.6)) {
-    return {share * hit.range + (1 - share) * other.range + error, -1};
+  if (random.chance(kMixing)) {
+    const Hit other = world.shapes.cast(beside(ray, random), 0.02, hit.range + kPulse);
+    const double gap = other.shape == nullptr ? 0 : std::abs(other.range - hit.range), share = random.uniform();
+    if (gap > 0.05 && gap < kPulse && other.shape->surface != hit.shape->surface) {
+      return {share * hit.range + (1 - share) * other.range + error, -1};
+    }
   }
   return {hit.range + world.bias[static_cast<std::size_t>(hit.shape->surface)] + error, hit.shape->surface};
 }
@@ -56,12 +60,15 @@ Reading measure(const World& world, const Ray& ray, Random& random) {
 
 std::vector<Sample> scan_lidar(const World& world, const SensorPose& pose, double scale) {
   const double step = 0.25 * kDegree * scale, tilt_step = 0.3 * kDegree * scale;
-  const int steps = static_cast<int>(270 * kDegree / step) + 1, lines = static_cast<int>((kLastTilt - kFirstTilt) / tilt_step) + 1;
+  const int steps = static_cast<int>(270 * kDegree / step) + 1,
+            lines = static_cast<int>((kLastTilt - kFirstTilt) / tilt_step) + 1;
   const Eigen::AngleAxisd heading(pose.heading, Vector3d::UnitZ());
-  return measure_lines(lines, [&](int line, std::vector<Sample>& samples) {
-    const Eigen::Matrix3d turn = (heading * Eigen::AngleAxisd(kFirstTilt + line * tilt_step, Vector3d::UnitY())).toRotationMatrix();
+  return measure_lines(lines, world.threads, [&](int line, std::vector<Sample>& samples) {
+    const Eigen::Matrix3d turn =
+        (heading * Eigen::AngleAxisd(kFirstTilt + line * tilt_step, Vector3d::UnitY())).toRotationMatrix();
     for (int i = 0; i < steps; ++i) {
-      Random random(world.seed, (static_cast<std::uint64_t>(pose.number) << 48) + (static_cast<std::uint64_t>(line) << 24) + static_cast<std::uint64_t>(i));
+      Random random(world.seed, (static_cast<std::uint64_t>(pose.number) << 48) +
+                                    (static_cast<std::uint64_t>(line) << 24) + static_cast<std::uint64_t>(i));
       const double angle = -135 * kDegree + i * step;
       const Ray ray{pose.position, turn * Vector3d(std::cos(angle), std::sin(angle), 0)};
       const Reading reading = measure(world, ray, random);

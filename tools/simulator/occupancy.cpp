@@ -18,8 +18,12 @@ double reach(const Volume& v, const Eigen::Vector2d& direction) {
 
 Volume volume(const Eigen::Isometry3d& frame, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   const Eigen::Vector3d centre = frame * ((low + high) / 2).eval();
-  return {centre.head<2>(), frame.linear().col(0).head<2>().normalized(), (high.x() - low.x()) / 2, (high.y() - low.y()) / 2,
-          frame.translation().z() + low.z(), frame.translation().z() + high.z()};
+  return {centre.head<2>(),
+          frame.linear().col(0).head<2>().normalized(),
+          (high.x() - low.x()) / 2,
+          (high.y() - low.y()) / 2,
+          frame.translation().z() + low.z(),
+          frame.translation().z() + high.z()};
 }
 
 // Separating axes: two rectangles are apart when one of their four edge directions tells them apart.
@@ -28,7 +32,8 @@ bool overlap(const Volume& x, const Volume& y) {
   const Eigen::Vector2d between = y.centre - x.centre;
   return std::ranges::all_of(std::initializer_list<Eigen::Vector2d>{x.axis, other_axis(x), y.axis, other_axis(y)},
                              [&](const Eigen::Vector2d& direction) {
-                               return std::abs(between.dot(direction)) < reach(x, direction) + reach(y, direction) - kSlack;
+                               return std::abs(between.dot(direction)) <
+                                      reach(x, direction) + reach(y, direction) - kSlack;
                              });
 }
 

@@ -9,9 +9,9 @@ namespace scenelore::simulator {
 
 struct Volume {
   Eigen::Vector2d centre;
-  Eigen::Vector2d axis;       ///< unit vector of the box's local x
-  double half_x, half_y;      ///< metres
-  double low, high;           ///< heights
+  Eigen::Vector2d axis;   ///< unit vector of the box's local x
+  double half_x, half_y;  ///< metres
+  double low, high;       ///< heights
 };
 
 /// The box between two corners of a frame whose z axis is vertical.

@@ -21,23 +21,26 @@ void check(const Inventory& inventory) {
   }
   if (inventory.tables > 40) throw std::invalid_argument("inventory: a room holds at most 40 tables");
   if (inventory.screens > inventory.tables || inventory.keyboards > inventory.tables) {
-    if (inventory.screens > 2 * inventory.tables) throw std::invalid_argument("inventory: at most two screens a table; ask for more tables");
-    if (inventory.keyboards > 2 * inventory.tables) throw std::invalid_argument("inventory: at most two keyboards a table; ask for more tables");
+    if (inventory.screens > 2 * inventory.tables)
+      throw std::invalid_argument("inventory: at most two screens a table; ask for more tables");
+    if (inventory.keyboards > 2 * inventory.tables)
+      throw std::invalid_argument("inventory: at most two keyboards a table; ask for more tables");
   }
 }
 
 }  // namespace
 
 // Stands are drawn before the clutter and kept free, so that which of them is best can be judged in the finished room.
+// Who measures likes to stand well clear of things; in a full room any gap has to do.
 bool add_stands(Office& office) {
-  constexpr int enough = 8;
-  for (int tries = 0; tries < 300 && office.stands.size() < enough; ++tries) {
+  constexpr std::size_t enough = 8;
+  for (int tries = 0; tries < 400 && office.stands.size() < enough; ++tries) {
     const double x = office.random.uniform() * office.width, y = office.random.uniform() * office.depth;
+    const double half = tries < 200 ? 0.5 : 0.32;
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
     frame.translate(Vector3d(x, y, 0));
-    const Volume space = volume(frame, {-0.32, -0.32, 0}, {0.32, 0.32, 1.7});
-    if (!office.taken.free(space)) continue;
-    office.taken.add(space);
+    if (!office.taken.free(volume(frame, {-half, -half, 0}, {half, half, 2}))) continue;
+    office.taken.add(volume(frame, {-0.3, -0.3, 0}, {0.3, 0.3, 2}));
     office.stands.emplace_back(x, y);
   }
   return office.stands.size() >= 2;
@@ -46,11 +49,13 @@ bool add_stands(Office& office) {
 Office make_office(std::uint64_t seed, const Inventory& inventory) {
   check(inventory);
   for (int attempt = 0; attempt < 60; ++attempt) {
-    Office office = build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt);
+    Office office =
+        build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt);
     if (furnish(office, inventory)) return office;
   }
   throw std::invalid_argument("inventory: no room found that holds " + std::to_string(inventory.tables) + " tables, " +
-                              std::to_string(inventory.screens) + " screens and " + std::to_string(inventory.keyboards) + " keyboards");
+                              std::to_string(inventory.screens) + " screens and " +
+                              std::to_string(inventory.keyboards) + " keyboards");
 }
 
 Inventory draw_inventory(std::uint64_t seed) {

@@ -30,19 +30,25 @@ struct Desk {
   std::string name;
   Eigen::Isometry3d frame;  ///< at the floor below the middle of the top; y towards the user
   double width = 0, depth = 0, height = 0;
-  bool workplace = true;    ///< has a seat in front of it, may have screens
+  bool workplace = true;  ///< has a seat in front of it, may have screens
   int screens = 0, keyboards = 0;
   std::vector<double> screen_at;  ///< x of each screen's foot
 };
 
 struct Office {
   Office(std::uint64_t seed, double room_width, double room_depth, double room_height)
-      : random(seed), taken(room_width, room_depth), zones(room_width, room_depth), width(room_width), depth(room_depth), height(room_height) {}
+      : random(seed),
+        taken(room_width, room_depth),
+        zones(room_width, room_depth),
+        width(room_width),
+        depth(room_depth),
+        height(room_height) {}
 
   Random random;
   Scene scene;
   Occupancy taken;  ///< solid things, and the space doors need
-  Occupancy zones;  ///< space in front of desks, cabinets and windows that furniture leaves free, but chairs and people use
+  Occupancy
+      zones;  ///< space in front of desks, cabinets and windows that furniture leaves free, but chairs and people use
   double width, depth, height;
   std::vector<Wall> walls;
   std::vector<Desk> desks;
@@ -58,6 +64,12 @@ struct Office {
 
 /// Empty room with floor, ceiling, walls, doors, windows, radiators; its size suits the number of tables.
 [[nodiscard]] Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge);
+/// The frame moved by x, y within itself, then turned about its z.
+[[nodiscard]] inline Eigen::Isometry3d placed(Eigen::Isometry3d frame, double x, double y, double yaw) {
+  return frame.translate(Vector3d(x, y, 0)).rotate(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
+}
+/// False when there is no room for all tables.
+[[nodiscard]] bool add_desks(Office& office, const Inventory& inventory);
 /// Tables with what stands on and before them; false when there is no room for all of the inventory.
 [[nodiscard]] bool add_workplaces(Office& office, const Inventory& inventory);
 void add_chair(Office& office, const Desk& desk);
@@ -67,6 +79,7 @@ void add_wall_furniture(Office& office);
 void draw_shelf(Office& office, const Brush& brush, double width, double depth, double height);
 /// False when the room has no place for a tripod.
 [[nodiscard]] bool add_stands(Office& office);
+void draw_pot_plant(Office& office, const Brush& brush, double scale);
 void add_desk_clutter(Office& office);
 void add_floor_clutter(Office& office);
 /// A person of ellipsoids; seated ones have their hips at the frame's origin and look along -y.

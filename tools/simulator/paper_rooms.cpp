@@ -23,16 +23,22 @@ std::array<Inventory, kRooms> spread(Random& random) {
     }
   };
   deal(kTables - kRooms, &Inventory::tables, [](const Inventory& room) { return room.tables < 3; });
-  deal(kScreens, &Inventory::screens, [](const Inventory& room) { return room.screens < room.tables + (room.tables > 1 ? 1 : 0); });
-  deal(kKeyboards, &Inventory::keyboards, [](const Inventory& room) { return room.keyboards < std::min(room.screens, room.tables); });
+  deal(kScreens, &Inventory::screens,
+       [](const Inventory& room) { return room.screens < room.tables + (room.tables > 1 ? 1 : 0); });
+  deal(kKeyboards, &Inventory::keyboards,
+       [](const Inventory& room) { return room.keyboards < std::min(room.screens, room.tables); });
   return rooms;
 }
 
-// Whether every table, screen and keyboard is seen well enough to be asked for, judged by a scan of a quarter of the points.
+// Whether every table, screen and keyboard is seen well enough to be asked for, judged by a scan of a quarter of the
+// points.
 bool shows_everything(SimulationOptions options) {
   options.points = 100'000 * static_cast<std::size_t>(options.poses);
   for (const TruthObject& object : simulate(options).objects) {
-    const std::size_t needed = object.object_class == "table" ? 100 : object.object_class == "flat_screen" ? 40 : object.object_class == "keyboard" ? 18 : 0;
+    const std::size_t needed = object.object_class == "table"         ? 100
+                               : object.object_class == "flat_screen" ? 40
+                               : object.object_class == "keyboard"    ? 20
+                                                                      : 0;
     if (object.points < needed) return false;
   }
   return true;

@@ -6,8 +6,9 @@
 namespace scenelore::simulator {
 
 const char* name_of(ObjectClass object_class) {
-  static constexpr std::array names = {"unknown",    "floor",      "ceiling", "wall",   "table",      "flat_screen", "keyboard",
-                                       "chair_seat", "chair_back", "door",    "window", "whiteboard", "shelf",       "cabinet"};
+  static constexpr std::array names = {"unknown",     "floor",      "ceiling",    "wall",       "table",
+                                       "flat_screen", "keyboard",   "chair_seat", "chair_back", "door",
+                                       "window",      "whiteboard", "shelf",      "cabinet"};
   return names[static_cast<std::size_t>(object_class)];
 }
 
@@ -15,20 +16,34 @@ const char* name_of(ObjectClass object_class) {
 // bright and plastics of screens and keyboards dark.
 Reflectance reflectance(Material material) {
   switch (material) {
-    case Material::paint: return {0.75, 0.0, 0};
-    case Material::dark_paint: return {0.25, 0.0, 0};
-    case Material::wood: return {0.55, 0.1, 0};
-    case Material::dark_wood: return {0.25, 0.2, 0};
-    case Material::lacquer: return {0.7, 0.4, 0};
-    case Material::metal: return {0.45, 0.7, 0};
-    case Material::black_plastic: return {0.1, 0.2, 0};
-    case Material::screen: return {0.07, 0.75, 0};
-    case Material::glass: return {0.06, 0.9, 0.92};
-    case Material::fabric: return {0.4, 0, 0};
-    case Material::dark_fabric: return {0.12, 0, 0};
-    case Material::paper: return {0.8, 0.05, 0};
-    case Material::leaf: return {0.5, 0.15, 0};
-    case Material::skin: return {0.5, 0, 0};
+    case Material::paint:
+      return {0.75, 0.0, 0};
+    case Material::dark_paint:
+      return {0.25, 0.0, 0};
+    case Material::wood:
+      return {0.55, 0.1, 0};
+    case Material::dark_wood:
+      return {0.25, 0.2, 0};
+    case Material::lacquer:
+      return {0.7, 0.4, 0};
+    case Material::metal:
+      return {0.45, 0.7, 0};
+    case Material::black_plastic:
+      return {0.1, 0.2, 0};
+    case Material::screen:
+      return {0.07, 0.75, 0};
+    case Material::glass:
+      return {0.06, 0.9, 0.92};
+    case Material::fabric:
+      return {0.4, 0, 0};
+    case Material::dark_fabric:
+      return {0.12, 0, 0};
+    case Material::paper:
+      return {0.8, 0.05, 0};
+    case Material::leaf:
+      return {0.5, 0.15, 0};
+    case Material::skin:
+      return {0.5, 0, 0};
   }
   return {0.5, 0, 0};
 }
@@ -126,8 +141,9 @@ void Brush::disc(int object, const Vector3d& centre, const Vector3d& normal, dou
 }
 
 void Brush::ellipsoid(int object, const Vector3d& centre, const Vector3d& semi) const {
-  scene_->add(object, make_ellipsoid(frame_ * centre, turn(Vector3d(semi.x(), 0, 0)), turn(Vector3d(0, semi.y(), 0)),
-                                     turn(Vector3d(0, 0, semi.z()))),
+  scene_->add(object,
+              make_ellipsoid(frame_ * centre, turn(Vector3d(semi.x(), 0, 0)), turn(Vector3d(0, semi.y(), 0)),
+                             turn(Vector3d(0, 0, semi.z()))),
               true, material_);
 }
 

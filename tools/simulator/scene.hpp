@@ -15,11 +15,39 @@ namespace scenelore::simulator {
 
 /// Values are the class ids of docs/classes.md.
 enum class ObjectClass {
-  unknown, floor, ceiling, wall, table, flat_screen, keyboard, chair_seat, chair_back, door, window, whiteboard, shelf, cabinet
+  unknown,
+  floor,
+  ceiling,
+  wall,
+  table,
+  flat_screen,
+  keyboard,
+  chair_seat,
+  chair_back,
+  door,
+  window,
+  whiteboard,
+  shelf,
+  cabinet
 };
 [[nodiscard]] const char* name_of(ObjectClass object_class);
 
-enum class Material { paint, dark_paint, wood, dark_wood, lacquer, metal, black_plastic, screen, glass, fabric, dark_fabric, paper, leaf, skin };
+enum class Material {
+  paint,
+  dark_paint,
+  wood,
+  dark_wood,
+  lacquer,
+  metal,
+  black_plastic,
+  screen,
+  glass,
+  fabric,
+  dark_fabric,
+  paper,
+  leaf,
+  skin
+};
 
 /// How a surface answers light: share sent back evenly, share mirrored, share let through.
 struct Reflectance {
@@ -83,7 +111,8 @@ class Brush {
   /// A thin panel: both large faces (±y) belong to `panel`, whose plane is the front; the narrow ones to `edges`.
   void panel(int panel, int edges, const Vector3d& low, const Vector3d& high) const;
   void tube(int object, const Vector3d& base, const Vector3d& axis, double radius) const;
-  void arc(int object, const Vector3d& base, const Vector3d& axis, double radius, const Vector3d& towards, double half_angle) const;
+  void arc(int object, const Vector3d& base, const Vector3d& axis, double radius, const Vector3d& towards,
+           double half_angle) const;
   void disc(int object, const Vector3d& centre, const Vector3d& normal, double radius) const;
   void ellipsoid(int object, const Vector3d& centre, const Vector3d& semi_axes) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace scenelore::simulator {
 
@@ -27,6 +28,23 @@ Hit first_answer(const World& world, const Ray& ray, double farthest, Random& ra
     nearest = hit.range + 1e-4;
   }
   return {};
+}
+
+std::vector<Sample> measure_lines(int lines, int threads,
+                                  const std::function<void(int, std::vector<Sample>&)>& measure) {
+  std::vector<std::vector<Sample>> parts(static_cast<std::size_t>(threads));
+  const auto run = [&](int part) {
+    for (int line = lines * part / threads; line < lines * (part + 1) / threads; ++line)
+      measure(line, parts[static_cast<std::size_t>(part)]);
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int part = 1; part < threads; ++part) helpers.emplace_back(run, part);
+    run(0);
+  }
+  for (std::size_t part = 1; part < parts.size(); ++part)
+    parts[0].insert(parts[0].end(), parts[part].begin(), parts[part].end());
+  return std::move(parts[0]);
 }
 
 }  // namespace scenelore::simulator

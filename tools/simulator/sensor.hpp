@@ -1,6 +1,7 @@
 // What the sensors share: the room ready for rays, where a sensor stands, and what it measures.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "simulator/bvh.hpp"
@@ -16,6 +17,7 @@ struct World {
   std::uint64_t seed;
   double noise;              ///< metres
   std::vector<double> bias;  ///< metres, of each object
+  int threads = 2;
 };
 
 struct SensorPose {
@@ -42,10 +44,9 @@ struct Sample {
 /// Share of the light that comes back to a sensor beside the lamp: an even part and a mirror's lobe 8 degrees wide.
 [[nodiscard]] double brightness(const Hit& hit, double cosine);
 
-/// Runs measure(line, samples) for all lines on two threads and joins what they append, in the order of the lines.
-template <typename Measure>
-[[nodiscard]] std::vector<Sample> measure_lines(int lines, const Measure& measure);
+/// Runs measure(line, samples) for all lines and joins what they append, in the order of the lines.
+/// Requires: threads ≥ 1; measure may run for several lines at a time.
+[[nodiscard]] std::vector<Sample> measure_lines(int lines, int threads,
+                                                const std::function<void(int, std::vector<Sample>&)>& measure);
 
 }  // namespace scenelore::simulator
-
-#include "simulator/sensor_threads.hpp"

@@ -94,7 +94,8 @@ Shape make_disc(const Vector3d& centre, const Vector3d& unit_normal, double radi
   return shape;
 }
 
-Shape make_cylinder(const Vector3d& base, const Vector3d& axis, double radius, const Vector3d& towards, double half_angle) {
+Shape make_cylinder(const Vector3d& base, const Vector3d& axis, double radius, const Vector3d& towards,
+                    double half_angle) {
   Shape shape;
   shape.kind = Shape::Kind::cylinder;
   shape.a = base;
@@ -128,19 +129,24 @@ Shape make_ellipsoid(const Vector3d& centre, const Vector3d& a, const Vector3d& 
 
 double intersect(const Shape& shape, const Ray& ray, double nearest) {
   switch (shape.kind) {
-    case Shape::Kind::cylinder: return intersect_cylinder(shape, ray, nearest);
-    case Shape::Kind::ellipsoid: return intersect_ellipsoid(shape, ray, nearest);
-    default: return intersect_flat(shape, ray, nearest);
+    case Shape::Kind::cylinder:
+      return intersect_cylinder(shape, ray, nearest);
+    case Shape::Kind::ellipsoid:
+      return intersect_ellipsoid(shape, ray, nearest);
+    default:
+      return intersect_flat(shape, ray, nearest);
   }
 }
 
 Vector3d normal_at(const Shape& shape, const Vector3d& point) {
   const Vector3d local = point - shape.a;
   switch (shape.kind) {
-    case Shape::Kind::cylinder: return (local - shape.b * shape.b.dot(local)).normalized();
+    case Shape::Kind::cylinder:
+      return (local - shape.b * shape.b.dot(local)).normalized();
     case Shape::Kind::ellipsoid:
       return (shape.b * shape.b.dot(local) + shape.c * shape.c.dot(local) + shape.d * shape.d.dot(local)).normalized();
-    default: return shape.b;
+    default:
+      return shape.b;
   }
 }
 

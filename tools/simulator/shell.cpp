@@ -35,9 +35,8 @@ void draw_wall(Office& office, const Wall& wall) {
   for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
     for (std::size_t j = 0; j + 1 < zs.size(); ++j) {
       const double x = (xs[i] + xs[i + 1]) / 2, z = (zs[j] + zs[j + 1]) / 2;
-      const bool open = std::ranges::any_of(wall.openings, [&](const Opening& o) {
-        return x > o.left && x < o.right && z > o.bottom && z < o.top;
-      });
+      const bool open = std::ranges::any_of(
+          wall.openings, [&](const Opening& o) { return x > o.left && x < o.right && z > o.bottom && z < o.top; });
       if (!open) brush.quad(object, {xs[i], 0, zs[j]}, {0, 0, zs[j + 1] - zs[j]}, {xs[i + 1] - xs[i], 0, 0});
     }
   }
@@ -50,7 +49,9 @@ void draw_reveal(const Brush& brush, const Opening& o, double depth, const std::
   brush.quad(sides, {o.left, 0, o.bottom}, in, up);
   brush.quad(sides, {o.right, 0, o.bottom}, up, in);
   brush.quad(sides, {o.left, 0, o.top}, in, across);
-  if (with_bottom) brush.quad(brush.object(ObjectClass::unknown, thing + " sill", Material::lacquer), {o.left, 0, o.bottom}, across, in);
+  if (with_bottom)
+    brush.quad(brush.object(ObjectClass::unknown, thing + " sill", Material::lacquer), {o.left, 0, o.bottom}, across,
+               in);
 }
 
 // What an open door lets see.
@@ -64,7 +65,8 @@ void draw_corridor(Office& office, const Brush& brush, double middle) {
 
 void draw_leaf(Office& office, const Brush& brush, double from, double to, double top, Material material) {
   const std::string thing = office.name("door");
-  const int leaf = brush.object(ObjectClass::door, thing, material), rest = brush.clutter(thing + " handle", Material::metal);
+  const int leaf = brush.object(ObjectClass::door, thing, material),
+            rest = brush.clutter(thing + " handle", Material::metal);
   const double low = std::min(from, to), high = std::max(from, to), handle = to + (from > to ? 0.08 : -0.08);
   brush.panel(leaf, rest, {low, -0.04, 0.005}, {high, 0, top});
   brush.box({handle - 0.06, 0, 1.04}, {handle + 0.06, 0.05, 1.06}, rest);
@@ -123,8 +125,8 @@ void add_window(Office& office, Wall& wall, const Opening& o, double niche, bool
   brush.of(Material::glass).quad(window, {o.left, -0.015, o.bottom}, up, across);
   if (random.chance(0.3)) {  // a roller blind, part of the way down
     const double drop = random.between(0.2, 1.0) * (o.top - o.bottom);
-    brush.quad(brush.object(ObjectClass::window, thing + " blind", Material::fabric), {o.left + 0.03, 0.02, o.top - drop},
-               {0, 0, drop}, across - Vector3d(0.06, 0, 0));
+    brush.quad(brush.object(ObjectClass::window, thing + " blind", Material::fabric),
+               {o.left + 0.03, 0.02, o.top - drop}, {0, 0, drop}, across - Vector3d(0.06, 0, 0));
   }
   if (radiator) {
     add_radiator(office, office.on(wall.frame), o.left + 0.05, o.right - 0.05, o.bottom - random.between(0.08, 0.2));
@@ -152,13 +154,14 @@ void add_windows(Office& office, Wall& wall) {
 void draw_outside(Office& office, const Wall& wall) {
   const double away = office.random.between(7, 22), wide = office.random.between(10, 30);
   const Brush brush = office.on(wall.frame);
-  brush.quad(brush.object(ObjectClass::unknown, "building opposite", Material::paint), {wall.length / 2 - 15, -away, -4}, {0, 0, 14},
-             {wide, 0, 0});
+  brush.quad(brush.object(ObjectClass::unknown, "building opposite", Material::paint),
+             {wall.length / 2 - 15, -away, -4}, {0, 0, 14}, {wide, 0, 0});
 }
 
 void add_column(Office& office) {
   Random& random = office.random;
-  const Wall& wall = office.walls[static_cast<std::size_t>(random.integer(0, static_cast<int>(office.walls.size()) - 1))];
+  const Wall& wall =
+      office.walls[static_cast<std::size_t>(random.integer(0, static_cast<int>(office.walls.size()) - 1))];
   const double side = random.between(0.3, 0.55), gap = random.chance(0.6) ? 0.0 : random.between(0.8, 1.2);
   if (wall.length < 2.5) return;
   const double x = random.between(0.4, wall.length - 0.4 - side);
@@ -175,7 +178,8 @@ void add_column(Office& office) {
 
 void draw_floor_and_ceiling(Office& office, double notch_x, double notch_y) {
   const Brush brush = office.room();
-  const int floor = brush.object(ObjectClass::floor, "floor", office.random.pick({Material::paint, Material::dark_paint, Material::wood}));
+  const int floor = brush.object(ObjectClass::floor, "floor",
+                                 office.random.pick({Material::paint, Material::dark_paint, Material::wood}));
   const int ceiling = brush.object(ObjectClass::ceiling, "ceiling", Material::paint);
   const auto slab = [&](double x0, double y0, double x1, double y1) {
     brush.quad(floor, {x0, y0, 0}, {x1 - x0, 0, 0}, {0, y1 - y0, 0});
@@ -188,12 +192,14 @@ void draw_floor_and_ceiling(Office& office, double notch_x, double notch_y) {
 void draw_lamps(Office& office) {
   Random& random = office.random;
   const bool recessed = random.chance(0.3);
-  const double below = recessed ? 0.0 : random.between(0.02, 0.5), length = random.between(1.1, 1.6), step = random.between(1.6, 2.4);
+  const double below = recessed ? 0.0 : random.between(0.02, 0.5), length = random.between(1.1, 1.6),
+               step = random.between(1.6, 2.4);
   for (double y = step / 2; y + 0.2 < office.depth; y += step) {
     for (double x = step / 2; x + length < office.width && !recessed; x += length + step / 2) {
       const Brush brush = office.room();
       const std::string thing = office.name("lamp");
-      const int sides = brush.clutter(thing, Material::lacquer), under = brush.object(ObjectClass::unknown, thing, Material::paint);
+      const int sides = brush.clutter(thing, Material::lacquer),
+                under = brush.object(ObjectClass::unknown, thing, Material::paint);
       const double top = office.height - below;
       brush.box({x, y - 0.1, top - 0.08}, {x + length, y + 0.1, top}, {.bottom = under, .others = sides});
     }
@@ -204,21 +210,27 @@ void draw_lamps(Office& office) {
 
 Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge) {
   Random random(seed, 1);
-  const double area = (10 + 5.5 * std::max(1, inventory.tables)) * random.between(0.9, 1.25) * enlarge;
+  const double area = (8 + 5 * std::max(1, inventory.tables)) * random.between(0.9, 1.3) * enlarge;
   const double aspect = random.between(0.85, 1.6), width = std::sqrt(area * aspect);
   const double height = random.between(2.45, 3.1);
   Office office(random.next(), width, area / width, height);
   const bool notched = random.chance(0.35);
-  const double notch_x = notched ? office.width * random.between(0.15, 0.4) : 0, notch_y = notched ? office.depth * random.between(0.15, 0.35) : 0;
+  const double notch_x = notched ? office.width * random.between(0.15, 0.4) : 0,
+               notch_y = notched ? office.depth * random.between(0.15, 0.35) : 0;
   std::vector<Eigen::Vector2d> corners{{0, 0}, {office.width, 0}, {office.width, office.depth - notch_y}};
-  if (notched) corners.insert(corners.end(), {{office.width - notch_x, office.depth - notch_y}, {office.width - notch_x, office.depth}});
+  if (notched)
+    corners.insert(corners.end(),
+                   {{office.width - notch_x, office.depth - notch_y}, {office.width - notch_x, office.depth}});
   corners.emplace_back(0, office.depth);
-  for (std::size_t i = 0; i < corners.size(); ++i) office.walls.push_back(wall_between(corners[i], corners[(i + 1) % corners.size()]));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    office.walls.push_back(wall_between(corners[i], corners[(i + 1) % corners.size()]));
   if (notched) {
-    office.taken.add(volume(Eigen::Isometry3d::Identity(), {office.width - notch_x, office.depth - notch_y, 0}, {office.width, office.depth, office.height}));
+    office.taken.add(volume(Eigen::Isometry3d::Identity(), {office.width - notch_x, office.depth - notch_y, 0},
+                            {office.width, office.depth, office.height}));
   }
   // The door is opposite the windows or on a wall beside them.
-  const int window_wall = random.integer(0, 1), door_wall = random.chance(0.6) ? static_cast<int>(office.walls.size()) - 1 : 1 - window_wall;
+  const int window_wall = random.integer(0, 1),
+            door_wall = random.chance(0.6) ? static_cast<int>(office.walls.size()) - 1 : 1 - window_wall;
   add_door(office, office.walls[static_cast<std::size_t>(door_wall)]);
   Wall& lit = office.walls[static_cast<std::size_t>(window_wall)];
   add_windows(office, lit);

@@ -28,7 +28,7 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   std::optional<Inventory> inventory;
   Sensor sensor = Sensor::lidar;
-  double noise = 0.01;         ///< metres, standard deviation of the range
+  double noise = 0.01;         ///< metres, standard deviation of the range; of a depth camera: of the depth at 3 m
   double material_bias = 0;    ///< metres, standard deviation of a constant range error per object
   int poses = 1;               ///< sensor positions, clouds merged
   std::size_t points = 0;      ///< wanted number of points (angular steps adapt); 0 = the sensor's own resolution
