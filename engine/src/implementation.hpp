@@ -30,7 +30,11 @@ struct Solver::Implementation {
 
   // --- one component ---
   /// Least cost under the decisions; uses and fills the pool.
-  SearchResult solve(Component& component, const std::vector<Decision>& decisions, Budget& budget);
+  /// `limit`: dearer ones are of no interest.
+  SearchResult solve(Component& component, const std::vector<Decision>& decisions, Budget& budget,
+                     Cost limit = kTop / 2);
+  Cost least_cost(const Component& component) const;
+  SearchResult split(Component& component, Search& search, const std::vector<Decision>& decisions, Cost limit) const;
   Worlds k_best(Component& component, int k, Budget& budget);
   Search::Report report(const Component& component) const;
   void remember(Component& component, const std::vector<int>& labels, Cost cost) const;

@@ -179,6 +179,17 @@ Cost Network::evaluate_shifted(std::span<const int> assignment) const {
   return sum;
 }
 
+void Network::round(std::vector<int>& assignment) const {
+  assignment.resize(variable_.size());
+  for (int v = 0; v < variables(); ++v) {
+    int best = support_[static_cast<std::size_t>(v)];
+    Cost least = is_live(v, best) ? unary(v, best) : kTop;
+    for (const int label : live(v))
+      if (unary(v, label) < least) best = label, least = unary(v, label);
+    assignment[static_cast<std::size_t>(v)] = best;
+  }
+}
+
 void Network::push() {
   marks_.push_back({saved_costs_.size(), saved_domains_.size()});
   stamps_.push_back(stamp_);

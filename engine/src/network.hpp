@@ -107,6 +107,8 @@ class Network {
   Cost evaluate(std::span<const int> assignment) const;
   /// The same from the shifted costs: equal for assignments of live labels (for tests of the invariant).
   Cost evaluate_shifted(std::span<const int> assignment) const;
+  /// For each variable the label that costs least, with its neighbours where that is known.
+  void round(std::vector<int>& assignment) const;
   /// Adjacent through a function; for components and variable choice.
   int degree(int v) const { return static_cast<int>(links_[static_cast<std::size_t>(v)].size()); }
 

@@ -23,6 +23,7 @@ double Budget::seconds() const {
 SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
   SearchResult result;
   result.cost = limit;
+  rounding_ = true;
   result.complete = enumerate(assumptions, limit, [&](const std::vector<int>& assignment, Cost cost) {
     result.cost = cost;
     result.assignment = assignment;
@@ -42,7 +43,7 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   open_ = {};
   weight_.assign(static_cast<std::size_t>(network_.variables()), 1.0);
   burst_limit_ = in_order_ ? std::numeric_limits<std::uint64_t>::max() : 1;
-  last_failed_ = -1;
+  last_failed_ = assumptions.empty() || assumptions.back().equal ? -1 : assumptions.back().variable;
   open_.push({0, number_++, assumptions});
   Cost reported = 0;
   while (!open_.empty() && open_.top().bound < limit_) {
@@ -88,6 +89,14 @@ bool Search::leaf(Cost& cost) {
   return true;
 }
 
+/// The labels that cost nothing, taken together, are often a good assignment, and the best one when they cost no more than
+/// the bound.
+void Search::round() {
+  network_.round(assignment_);
+  const Cost cost = network_.evaluate(assignment_);
+  if (cost < limit_) limit_ = accept_(assignment_, cost);
+}
+
 void Search::burst(const Open& open) {
   const int base = network_.level();
   network_.push();
@@ -102,6 +111,9 @@ void Search::burst(const Open& open) {
       if (leaf(cost)) {
         if (cost < limit_) limit_ = accept_(assignment_, cost);
         alive = false;
+      } else if (rounding_) {
+        round();
+        alive = network_.bound() < limit_;
       }
     }
     if (alive && budget_.exhausted()) {  // this node is open still
@@ -175,7 +187,7 @@ int Search::branching_variable() const {
   if (last_failed_ >= 0 && network_.live(last_failed_).size() > 1) return last_failed_;
   int best = -1;
   double best_key = 0;
-  const bool diving = preferred_.empty();
+  const bool diving = is_forbidden(limit_);
   for (int v = 0; v < network_.variables(); ++v) {
     const auto labels = network_.live(v);
     if (labels.size() < 2) continue;

@@ -87,6 +87,7 @@ class Search {
   bool enter(const std::vector<Decision>& path);
   bool apply(const Decision& decision);
   bool leaf(Cost& cost);
+  void round();
   Decision first_in_order() const;
   int branching_variable() const;
   Cost clearance(int v) const;
@@ -110,6 +111,7 @@ class Search {
   std::uint64_t burst_backtracks_ = 0, burst_limit_ = 1;
   int last_failed_ = -1;
   bool in_order_ = false;
+  bool rounding_ = false;
 };
 
 }  // namespace scenelore::engine

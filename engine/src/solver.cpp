@@ -1,6 +1,7 @@
 #include "scenelore/engine/solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -51,16 +52,51 @@ void Solver::Implementation::remember(Component& component, const std::vector<in
   if (cost < dearest->first) *dearest = {cost, labels};
 }
 
-SearchResult Solver::Implementation::solve(Component& component, const std::vector<Decision>& decisions,
-                                           Budget& budget) {
+Cost Solver::Implementation::least_cost(const Component& component) const {
+  return component.best.empty() ? component.network.bound() : component.best_cost;
+}
+
+/// A label was forbidden: one search for each other label of its variable, the most promising first. Each begins with more
+/// known than one search over all of them, and most need not begin, since the root says that they cost too much.
+SearchResult Solver::Implementation::split(Component& component, Search& search, const std::vector<Decision>& decisions,
+                                           Cost limit) const {
+  const Network& network = component.network;
+  const int v = decisions.back().variable;
+  std::vector<std::pair<Cost, int>> labels;
+  for (const int label : network.live(v))
+    if (std::none_of(decisions.begin(), decisions.end(), [&](const Decision& d) {
+          return d.variable == v && (d.label == label) != d.equal;
+        }))
+      labels.emplace_back(network.bound() + network.unary(v, label), label);
+  std::sort(labels.begin(), labels.end());
   SearchResult result;
-  result.cost = kTop / 2;
+  result.cost = result.lower_bound = limit;
+  result.complete = true;
+  for (const auto& [bound, label] : labels) {
+    if (bound >= result.cost) break;
+    std::vector<Decision> with = decisions;
+    with.push_back({v, label, true});
+    const SearchResult part = search.run(with, result.cost);
+    result.complete = result.complete && part.complete;
+    result.lower_bound = std::min(result.lower_bound, std::max(bound, part.lower_bound));
+    if (part.assignment.empty()) continue;
+    result.cost = part.cost;
+    result.assignment = part.assignment;
+  }
+  result.lower_bound = std::min(result.lower_bound, result.cost);
+  return result;
+}
+
+SearchResult Solver::Implementation::solve(Component& component, const std::vector<Decision>& decisions,
+                                           Budget& budget, Cost limit) {
+  SearchResult result;
+  result.cost = limit;
   if (!component.feasible) {
     result.complete = true;
     result.lower_bound = kTop;
     return result;
   }
-  if (!component.best.empty() && agrees(component.best, decisions))
+  if (!component.best.empty() && component.best_cost < limit && agrees(component.best, decisions))
     return {component.best_cost, component.best_cost, component.best, true};
   std::vector<int> known;
   for (const auto& [cost, labels] : component.pool)
@@ -71,7 +107,8 @@ SearchResult Solver::Implementation::solve(Component& component, const std::vect
     search.prefer(known);
   else if (!component.best.empty())
     search.prefer(component.best);
-  result = search.run(decisions, result.cost);
+  const bool splits = !decisions.empty() && !decisions.back().equal;
+  result = splits ? split(component, search, decisions, result.cost) : search.run(decisions, result.cost);
   if (result.assignment.empty())
     result.assignment = known;
   else
@@ -91,7 +128,7 @@ Solution Solver::Implementation::finish(std::vector<int> assignment, bool comple
   solution.backtracks = budget.backtracks;
   solution.seconds = budget.seconds();
   solution.lower_bound = scale.real(lower_bound);
-  if (assignment.empty() && (!complete || lower_bound == kTop)) {
+  if (assignment.empty() && (!complete || lower_bound == kTop)) {  // an empty problem has an empty answer
     solution.outcome = complete ? Outcome::infeasible : Outcome::stopped;
     if (complete) solution.lower_bound = kInfinity;
     return solution;
@@ -122,13 +159,18 @@ Solution Solver::Implementation::solve(const Assumptions& assumptions) {
   for (const Literal& literal : assumptions.forbidden) assume(literal, false);
   if (!feasible()) return finish({}, true, kTop, budget);
 
+  Cost least = parts.constant;
+  for (const Component& component : parts.components) least += least_cost(component);
+  const Cost below = std::isfinite(assumptions.below) ? scale.whole(std::max(assumptions.below, 0.0)) : kTop / 2;
   std::vector<int> assignment(problem.variables().size(), -1);
   bool complete = true, whole = true;
   Cost lower_bound = parts.constant;
   for (std::size_t c = 0; c < parts.components.size(); ++c) {
     Component& component = parts.components[c];
-    const SearchResult part = solve(component, decisions[c], budget);
-    if (part.complete && part.assignment.empty()) return finish({}, true, kTop, budget);
+    const Cost limit = is_forbidden(below) ? below : std::max<Cost>(0, below - (least - least_cost(component)));
+    const SearchResult part = solve(component, decisions[c], budget, limit);
+    if (part.complete && part.assignment.empty())
+      return is_forbidden(below) ? finish({}, true, kTop, budget) : finish({}, false, below, budget);
     complete = complete && part.complete;
     whole = whole && !part.assignment.empty();
     lower_bound += part.lower_bound;

@@ -45,6 +45,9 @@ struct SolverOptions {
 struct Assumptions {
   std::vector<Literal> fixed;
   std::vector<Literal> forbidden;
+  /// Only worlds cheaper than this are of interest. When there is none, the outcome is `stopped` with a lower bound of
+  /// at least this. Makes "is the margin below 10?" much cheaper than the margin itself.
+  double below = std::numeric_limits<double>::infinity();
 };
 
 struct Violation {
