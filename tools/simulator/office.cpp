@@ -39,8 +39,8 @@ bool add_stands(Office& office) {
     const double half = tries < 200 ? 0.5 : 0.32;
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
     frame.translate(Vector3d(x, y, 0));
-    if (!office.taken.free(volume(frame, {-half, -half, 0}, {half, half, 2}))) continue;
-    office.taken.add(volume(frame, {-0.3, -0.3, 0}, {0.3, 0.3, 2}));
+    if (!office.taken.free(volume(frame, {-half, -half, 0}, {half, half, 1.7}))) continue;
+    office.taken.add(volume(frame, {-0.3, -0.3, 0}, {0.3, 0.3, 1.7}));
     office.stands.emplace_back(x, y);
   }
   return office.stands.size() >= 2;

@@ -192,15 +192,18 @@ void draw_floor_and_ceiling(Office& office, double notch_x, double notch_y) {
 void draw_lamps(Office& office) {
   Random& random = office.random;
   const bool recessed = random.chance(0.3);
-  const double below = recessed ? 0.0 : random.between(0.02, 0.5), length = random.between(1.1, 1.6),
-               step = random.between(1.6, 2.4);
+  const double drop = random.between(0.02, 0.5), below = std::min(drop, office.height - 2.25),
+               length = random.between(1.1, 1.6), step = random.between(1.6, 2.4);
   for (double y = step / 2; y + 0.2 < office.depth; y += step) {
     for (double x = step / 2; x + length < office.width && !recessed; x += length + step / 2) {
       const Brush brush = office.room();
+      const double top = office.height - below;
+      const Volume space = volume(brush.frame(), {x, y - 0.1, top - 0.4}, {x + length, y + 0.1, top});
+      if (!office.taken.free(space)) continue;
+      office.taken.add(space);
       const std::string thing = office.name("lamp");
       const int sides = brush.clutter(thing, Material::lacquer),
                 under = brush.object(ObjectClass::unknown, thing, Material::paint);
-      const double top = office.height - below;
       brush.box({x, y - 0.1, top - 0.08}, {x + length, y + 0.1, top}, {.bottom = under, .others = sides});
     }
   }
