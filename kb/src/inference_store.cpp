@@ -1,6 +1,7 @@
 // What the engine found out: written as a whole, replaced as a whole.
 #include <cmath>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "implementation.hpp"
 
@@ -16,12 +17,7 @@ std::optional<std::int64_t> previous_run(const Database& database, ScanId scan) 
 }
 
 // Labels, alternatives and reasons go with the run.
-void delete_inference(Database& database, ScanId scan) {
-  for (const char* const sql : {"DELETE FROM run WHERE scan_id = ?", "DELETE FROM relation_fact WHERE scan_id = ?",
-                                "DELETE FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?)"}) {
-    database.prepare(sql).use()(scan).run();
-  }
-}
+void delete_run(Database& database, ScanId scan) { database.prepare("DELETE FROM run WHERE scan_id = ?").use()(scan).run(); }
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
@@ -37,16 +33,49 @@ std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int6
   return database.last_id();
 }
 
-void insert_evidence(Database& database, const Inference& inference) {
+// Evidence and facts are most of the rows, and a run after a changed row of knowledge finds mostly the same ones again.
+// Where just the numbers differ they are updated in place, which touches no index; `matches` says whether a stored row is
+// the i-th wanted one, `value` what its number should be. False: rows differ, all have to be written anew.
+template <typename Matches, typename Value>
+bool update_in_place(Statement& select, Statement& update, ScanId scan, std::size_t wanted, Matches matches, Value value) {
+  std::vector<std::pair<std::int64_t, double>> changed;  // id, number
+  std::size_t i = 0;
+  auto row = select.use();
+  for (row(scan); row.next(); ++i) {
+    if (i >= wanted || !matches(row, i)) return false;
+    if (row.real(1) != value(i)) changed.emplace_back(row.integer(0), value(i));
+  }
+  if (i != wanted) return false;
+  for (const auto& [id, number] : changed) update.use()(number)(id).run();
+  return true;
+}
+
+void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
+  const std::size_t classes = inference.classes.size();
+  Statement select = database.prepare(
+      "SELECT id, probability, plane_id, class FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?) ORDER BY id");
+  Statement update = database.prepare("UPDATE evidence SET probability = ? WHERE id = ?");
+  const auto matches = [&](const Statement::Use& row, std::size_t i) {
+    return row.integer(2) == inference.planes[i / classes] && row.text(3) == inference.classes[i % classes];
+  };
+  const auto value = [&](std::size_t i) { return inference.evidence[i / classes][i % classes]; };
+  const std::size_t wanted = inference.planes.size() * classes;
+  if (update_in_place(select, update, scan, wanted, matches, value)) return;
+  database.prepare("DELETE FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?)").use()(scan).run();
   Statement insert = database.prepare("INSERT INTO evidence (plane_id, class, probability) VALUES (?, ?, ?)");
-  for (std::size_t p = 0; p < inference.planes.size(); ++p) {
-    for (std::size_t c = 0; c < inference.classes.size(); ++c) {
-      insert.use()(inference.planes[p])(inference.classes[c])(inference.evidence[p][c]).run();
-    }
+  for (std::size_t i = 0; i < wanted; ++i) {
+    insert.use()(inference.planes[i / classes])(inference.classes[i % classes])(value(i)).run();
   }
 }
 
-void insert_facts(Database& database, ScanId scan, const std::vector<RelationFact>& facts) {
+void replace_facts(Database& database, ScanId scan, const std::vector<RelationFact>& facts) {
+  Statement select = database.prepare("SELECT id, degree, a, b, relation FROM relation_fact WHERE scan_id = ? ORDER BY id");
+  Statement update = database.prepare("UPDATE relation_fact SET degree = ? WHERE id = ?");
+  const auto matches = [&](const Statement::Use& row, std::size_t i) {
+    return row.integer(2) == facts[i].a && row.integer(3) == facts[i].b && row.text(4) == facts[i].relation;
+  };
+  if (update_in_place(select, update, scan, facts.size(), matches, [&](std::size_t i) { return facts[i].degree; })) return;
+  database.prepare("DELETE FROM relation_fact WHERE scan_id = ?").use()(scan).run();
   Statement insert = database.prepare("INSERT INTO relation_fact (scan_id, relation, a, b, degree) VALUES (?, ?, ?, ?, ?)");
   for (const RelationFact& fact : facts) insert.use()(scan)(fact.relation)(fact.a)(fact.b)(fact.degree).run();
 }
@@ -73,10 +102,10 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   Database& database = implementation_->database;
   Transaction transaction(database);
   const std::optional<std::int64_t> previous = previous_run(database, scan);
-  delete_inference(database, scan);
+  delete_run(database, scan);
   const std::int64_t run = insert_run(database, scan, previous, inference.run);
-  insert_evidence(database, inference);
-  insert_facts(database, scan, inference.facts);
+  replace_evidence(database, scan, inference);
+  replace_facts(database, scan, inference.facts);
   insert_labels(database, run, inference);
   transaction.commit();
   return run;

@@ -165,6 +165,7 @@ Database::Database(const std::filesystem::path& path, OpenMode mode) : name_(pat
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);  // "name" is a column, never a string
     execute("PRAGMA foreign_keys = ON");
+    execute("PRAGMA secure_delete = OFF");  // Debian's default wipes deleted rows; nothing here is a secret
   } catch (...) {
     sqlite3_close_v2(handle_);
     throw;

@@ -102,6 +102,12 @@ TEST(KnowledgeBase, StoresTheInferenceAndReplacesItAsAWhole) {
   EXPECT_EQ(base.labels(scan)[0].margin, std::numeric_limits<double>::infinity());
   ASSERT_EQ(base.reasons(4).size(), 2U);
   EXPECT_EQ(base.reasons(4)[1].other_plane, 3);
+  inference.evidence[2] = {0.1, 0.1, 0.6, 0.1, 0.1};
+  inference.facts[0].degree = 0.25;
+  std::swap(inference.facts[1].a, inference.facts[1].b);
+  base.store_inference(scan, inference);
+  EXPECT_THAT(ask(base, "SELECT probability FROM evidence WHERE plane_id = 3 AND class = 'table'"), ElementsAre("0.6"));
+  EXPECT_THAT(ask(base, "SELECT a, b, degree FROM relation_fact WHERE relation = 'near'"), ElementsAre("1|2|0.25", "3|2|0.5", "3|4|0.5"));
   inference.labels.clear();
   inference.alternatives.clear();
   inference.reasons.clear();
