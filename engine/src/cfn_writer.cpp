@@ -31,7 +31,8 @@ class CfnWriter {
       std::visit([this](const auto& body) { function(body); }, constraint.body);
     }
     out_ << "{\"problem\":{\"name\":\"scenelore\",\"mustbe\":\"<" << top_ << "\"},\n\"variables\":{\n";
-    for (std::size_t i = 0; i < declarations_.size(); ++i) out_ << declarations_[i] << (i + 1 < declarations_.size() ? ",\n" : "\n");
+    for (std::size_t i = 0; i < declarations_.size(); ++i)
+      out_ << declarations_[i] << (i + 1 < declarations_.size() ? ",\n" : "\n");
     out_ << "},\n\"functions\":{\n" << functions.str() << "\n}}\n";
   }
 
@@ -97,7 +98,8 @@ class CfnWriter {
   void open(const std::vector<int>& scope) {
     if (functions_++ > 0) *body_ << ",\n";
     *body_ << "\"f" << functions_ << "\":{\"scope\":[";
-    for (std::size_t i = 0; i < scope.size(); ++i) *body_ << (i > 0 ? "," : "") << names_[static_cast<std::size_t>(scope[i])];
+    for (std::size_t i = 0; i < scope.size(); ++i)
+      *body_ << (i > 0 ? "," : "") << names_[static_cast<std::size_t>(scope[i])];
     *body_ << "],";
   }
 
@@ -204,7 +206,8 @@ class CfnWriter {
   void price(const Cardinality& cardinality, int counter, int count) {
     std::map<std::vector<int>, double> costs;
     for (int n = 0; n <= count; ++n) {
-      const double off = std::max({0.0, static_cast<double>(cardinality.low) - n, n - static_cast<double>(cardinality.high)});
+      const double off =
+          std::max({0.0, static_cast<double>(cardinality.low) - n, n - static_cast<double>(cardinality.high)});
       const double cost = off > 0 ? weight_ * off : 0;
       std::vector<int> tuple;
       if (cardinality.condition) tuple.push_back(cardinality.condition->label);

@@ -35,8 +35,8 @@ struct Price {
     int count = 0;
     for (const Literal& literal : std::set(cardinality.literals.begin(), cardinality.literals.end()))
       count += holds(literal) ? 1 : 0;
-    const double off = std::max({0.0, static_cast<double>(cardinality.low) - count,
-                                 count - static_cast<double>(cardinality.high)});
+    const double off =
+        std::max({0.0, static_cast<double>(cardinality.low) - count, count - static_cast<double>(cardinality.high)});
     return off > 0 ? weight * off : 0;
   }
 

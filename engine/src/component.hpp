@@ -13,10 +13,10 @@ namespace scenelore::engine {
 
 /// One part of the problem: its variables in the problem's order; labels are those of the problem.
 struct Component {
-  std::vector<int> variables;        ///< of the problem
-  Network network;                   ///< at its root, propagated without an upper bound
-  bool feasible = true;              ///< false: the root failed
-  std::vector<int> best;             ///< an optimal assignment, once it is proved; else empty
+  std::vector<int> variables;  ///< of the problem
+  Network network;             ///< at its root, propagated without an upper bound
+  bool feasible = true;        ///< false: the root failed
+  std::vector<int> best;       ///< an optimal assignment, once it is proved; else empty
   Cost best_cost = kTop;
   std::vector<std::pair<Cost, std::vector<int>>> pool;  ///< different assignments met so far, for upper bounds
 };

@@ -49,8 +49,8 @@ class ConflictFinder {
     return true;
   }
 
-  /// A minimal subset of `candidates` that is unsatisfiable together with `background`, which alone is satisfiable unless
-  /// `grown` says that it has been added to since that was known.
+  /// A minimal subset of `candidates` that is unsatisfiable together with `background`, which alone is satisfiable
+  /// unless `grown` says that it has been added to since that was known.
   std::vector<int> explain(const std::vector<int>& background, bool grown, const std::vector<int>& candidates) {
     if (grown && !satisfiable(background)) return {};
     if (candidates.size() == 1) return candidates;
@@ -74,8 +74,6 @@ class ConflictFinder {
 
 }  // namespace
 
-std::vector<int> Solver::conflict() {
-  return ConflictFinder(implementation_->problem, implementation_->scale).find();
-}
+std::vector<int> Solver::conflict() { return ConflictFinder(implementation_->problem, implementation_->scale).find(); }
 
 }  // namespace scenelore::engine

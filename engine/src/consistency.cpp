@@ -278,8 +278,7 @@ bool Network::existential(int v) {
   };
   if (is_live(v, support) && total(support) == 0 && existential_support(v, support)) return give_up();
   for (const Link& link : links_[static_cast<std::size_t>(v)])
-    if (link.other < v && at(link.other).live > 1)
-      pull(view(binary_[static_cast<std::size_t>(link.function)], v));
+    if (link.other < v && at(link.other).live > 1) pull(view(binary_[static_cast<std::size_t>(link.function)], v));
   Cost least = kTop;
   for (const int label : live(v)) {
     if (total(label) >= least) continue;

@@ -6,8 +6,8 @@
 namespace scenelore::engine {
 namespace {
 
-/// The k cheapest sums of one of a and one of b. (i, j) has at least (i + 1)(j + 1) − 1 pairs before it, in cost and among
-/// equal costs in lexicographic order too, so that few pairs need be looked at.
+/// The k cheapest sums of one of a and one of b. (i, j) has at least (i + 1)(j + 1) − 1 pairs before it, in cost and
+/// among equal costs in lexicographic order too, so that few pairs need be looked at.
 std::vector<World> combine(const std::vector<World>& a, const std::vector<World>& b, std::size_t k,
                            const std::vector<int>& variables_of_b) {
   std::vector<World> all;
@@ -26,7 +26,8 @@ std::vector<World> combine(const std::vector<World>& a, const std::vector<World>
 }  // namespace
 
 /// First the k least costs, by a search whose limit is the k-th best so far. Among assignments that cost as much as the
-/// dearest of them that search keeps those it happened to meet; a second one in lexicographic order finds the first ones.
+/// dearest of them that search keeps those it happened to meet; a second one in lexicographic order finds the first
+/// ones.
 Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budget) {
   Worlds found;
   const auto most = static_cast<std::size_t>(k);

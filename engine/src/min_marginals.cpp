@@ -1,5 +1,6 @@
-// Cost of the best assignment that contains a literal, for all literals. Any assignment that is met bounds the values of
-// its literals from above, the shifted costs at the root bound them from below; only where the two differ is there a search.
+// Cost of the best assignment that contains a literal, for all literals. Any assignment that is met bounds the values
+// of its literals from above, the shifted costs at the root bound them from below; only where the two differ is there a
+// search.
 #include <algorithm>
 #include <limits>
 
@@ -42,9 +43,7 @@ MinMarginals Solver::Implementation::min_marginals() {
         if (value <= least) continue;
         const SearchResult with = solve(component, {{v, label, true}}, budget);
         if (!with.complete) values.exact = false;
-        value = !with.complete             ? std::max(least, with.lower_bound)
-                : with.assignment.empty() ? kTop
-                                           : with.cost;
+        value = !with.complete ? std::max(least, with.lower_bound) : with.assignment.empty() ? kTop : with.cost;
       }
     }
     total += values.best;

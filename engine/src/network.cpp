@@ -140,8 +140,8 @@ Cost Network::evaluate(std::span<const int> assignment) const {
   const auto add = [&sum](Cost cost) { sum = std::min(sum + cost, kTop); };
   for (int v = 0; v < variables(); ++v) add(original_[cell(v, value_of(v))]);
   for (const BinaryFunction& f : binary_)
-    add(tables_[static_cast<std::size_t>(f.table)][static_cast<std::size_t>(value_of(f.x) * labels(f.y) +
-                                                                           value_of(f.y))]);
+    add(tables_[static_cast<std::size_t>(f.table)]
+               [static_cast<std::size_t>(value_of(f.x) * labels(f.y) + value_of(f.y))]);
   for (const RequirementFunction& f : requirements_) {
     if (value_of(f.x) != f.label) continue;
     Cost least = f.weight;
@@ -166,8 +166,7 @@ Cost Network::evaluate_shifted(std::span<const int> assignment) const {
   sum += bound();
   const auto value_of = [&](int v) { return assignment[static_cast<std::size_t>(v)]; };
   for (int v = 0; v < variables(); ++v) sum += unary(v, value_of(v)) - original(v, value_of(v));
-  for (const BinaryFunction& f : binary_)
-    sum -= cost_at(f.x_cell + value_of(f.x)) + cost_at(f.y_cell + value_of(f.y));
+  for (const BinaryFunction& f : binary_) sum -= cost_at(f.x_cell + value_of(f.x)) + cost_at(f.y_cell + value_of(f.y));
   for (const RequirementFunction& f : requirements_) {
     sum -= cost_at(f.x_cell + value_of(f.x));
     for (const auto& member : f.members) sum -= cost_at(member.cell + value_of(member.variable));

@@ -4,15 +4,16 @@
 // Each constraint function keeps its original costs and, for each (variable, label) in its scope, how much has been
 // taken out of it towards that label ("shift"; negative: put in). At all times, for each assignment t of live labels,
 //     evaluate(t) = bound() + sum over v of unary(v, t[v]) + sum over functions f of (f(t) − its shifts at t)
-// and every one of these terms is >= 0. Only this invariant is needed for correct answers; how well the shifting is done
-// decides how good the bound is. Sources: Cooper, de Givry, Sanchez, Schiex, Zytnicki, Werner, "Soft arc consistency
-// revisited", AIJ 2010; de Givry, Heras, Zytnicki, Larrosa, "Existential arc consistency", IJCAI 2005.
+// and every one of these terms is >= 0. Only this invariant is needed for correct answers; how well the shifting is
+// done decides how good the bound is. Sources: Cooper, de Givry, Sanchez, Schiex, Zytnicki, Werner, "Soft arc
+// consistency revisited", AIJ 2010; de Givry, Heras, Zytnicki, Larrosa, "Existential arc consistency", IJCAI 2005.
 //
 // Everything that changes is on a trail, so that push() and pop() go down and up the search tree.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct View {
 struct RequirementFunction {
   struct Member {
     int variable;
-    int cell = -1;                                  ///< shifts, one a label
-    std::vector<std::pair<int, Cost>> supports{};   ///< (label, cost < weight)
+    int cell = -1;                                 ///< shifts, one a label
+    std::vector<std::pair<int, Cost>> supports{};  ///< (label, cost < weight)
   };
   struct Support {
     int member, variable;
@@ -80,6 +81,12 @@ struct CardinalityFunction {
   }
 };
 
+/// A function written out: costs of all tuples of its scope, the last variable running fastest.
+struct Table {
+  std::vector<int> scope;  ///< ascending
+  std::vector<Cost> costs;
+};
+
 class Network {
  public:
   // --- building, before close() ---
@@ -95,9 +102,7 @@ class Network {
   // --- state ---
   int variables() const { return static_cast<int>(variable_.size()); }
   int labels(int v) const { return at(v).size; }
-  std::span<const int> live(int v) const {
-    return {order_.data() + at(v).first, static_cast<std::size_t>(at(v).live)};
-  }
+  std::span<const int> live(int v) const { return {order_.data() + at(v).first, static_cast<std::size_t>(at(v).live)}; }
   bool is_live(int v, int label) const { return position_[cell(v, label)] < at(v).live; }
   int value(int v) const { return order_[static_cast<std::size_t>(at(v).first)]; }
   Cost unary(int v, int label) const { return cost_[cell(v, label)]; }
@@ -109,6 +114,8 @@ class Network {
   Cost evaluate_shifted(std::span<const int> assignment) const;
   /// For each variable the label that costs least, with its neighbours where that is known.
   void round(std::vector<int>& assignment) const;
+  /// All functions of two and more variables from their original costs; nothing when one has more than `most` tuples.
+  std::optional<std::vector<Table>> written_out(std::size_t most) const;
   /// Adjacent through a function; for components and variable choice.
   int degree(int v) const { return static_cast<int>(links_[static_cast<std::size_t>(v)].size()); }
 
@@ -205,9 +212,9 @@ class Network {
   std::vector<BinaryFunction> binary_;
   std::vector<RequirementFunction> requirements_;
   std::vector<CardinalityFunction> cardinalities_;
-  std::vector<std::vector<Link>> links_;        ///< binary functions of each variable
-  std::vector<std::vector<int>> globals_;       ///< of each variable: requirement r is r, cardinality c is ~c
-  std::vector<std::vector<int>> watchers_;      ///< by label cell: globals to look at when the label goes
+  std::vector<std::vector<Link>> links_;    ///< binary functions of each variable
+  std::vector<std::vector<int>> globals_;   ///< of each variable: requirement r is r, cardinality c is ~c
+  std::vector<std::vector<int>> watchers_;  ///< by label cell: globals to look at when the label goes
 
   std::vector<Saved> saved_costs_;
   std::vector<std::uint32_t> saved_at_;  ///< by cell: stamp of the level that saved it

@@ -1,6 +1,6 @@
-// Shifting costs through a cardinality. Each member j is counted at least cost in_j or not at least cost out_j; the sum for
-// exactly t counted ones is least with the t smallest differences in_j − out_j, which makes it convex in t, as is the
-// price of t itself. So the least total, and a multiplier that shows it, come from one sort.
+// Shifting costs through a cardinality. Each member j is counted at least cost in_j or not at least cost out_j; the sum
+// for exactly t counted ones is least with the t smallest differences in_j − out_j, which makes it convex in t, as is
+// the price of t itself. So the least total, and a multiplier that shows it, come from one sort.
 #include <algorithm>
 
 #include "network.hpp"
@@ -89,7 +89,8 @@ void Network::project_cardinality(const CardinalityFunction& f, int to) {
 }
 
 /// What `to` could get when the other members after `above` pay: with a multiplier lambda for being counted, member j
-/// owes s_j = min(out_j, in_j − lambda), and the whole costs at least sum of s_j + min over t of (violation(t) + lambda t).
+/// owes s_j = min(out_j, in_j − lambda), and the whole costs at least sum of s_j + min over t of (violation(t) + lambda
+/// t).
 void Network::lift_cardinality(const CardinalityFunction& f, int to, int above) {
   if (f.x >= 0 && to != f.x && at(f.x).live > 1) return;
   counts_.clear();

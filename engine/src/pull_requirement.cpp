@@ -1,12 +1,12 @@
-// Shifting costs through a requirement R(x, y_1 … y_m): when x has the label, the least cost of a support that holds, at
-// most the weight. With e_j(b) = what R has been given for label b of y_j plus what y_j can still give, and m_j the least
-// of these, the least cost of R over all labels of the y_j is, when x has the label,
+// Shifting costs through a requirement R(x, y_1 … y_m): when x has the label, the least cost of a support that holds,
+// at most the weight. With e_j(b) = what R has been given for label b of y_j plus what y_j can still give, and m_j the
+// least of these, the least cost of R over all labels of the y_j is, when x has the label,
 //     sum of m_j + min(weight, least of cost_j(b) + e_j(b) − m_j over the supports b of y_j)
 // because at most one support need hold, and the sum of m_j when it has not. The same with y_k fixed gives what goes to
 // the labels of y_k. So one pass over R does what a supporter variable with a binary function to each y_j would.
 //
-// m_j may be replaced by anything smaller; as long as nothing has been taken out towards members it is set to 0, so that
-// only the supports need be looked at.
+// m_j may be replaced by anything smaller; as long as nothing has been taken out towards members it is set to 0, so
+// that only the supports need be looked at.
 #include <algorithm>
 
 #include "network.hpp"
@@ -54,9 +54,8 @@ Cost Network::least_given(const RequirementFunction& f, std::size_t without, int
     Cost least = kTop;
     for (const int label : live(member.variable)) {
       const Cost before = -cost_at(member.cell + label);
-      least = std::min(least, member.variable > above
-                                  ? before + available(static_cast<int>(cell(member.variable, label)))
-                                  : before);
+      least = std::min(
+          least, member.variable > above ? before + available(static_cast<int>(cell(member.variable, label))) : before);
     }
     scratch_[j] = least;
     sum += least;
@@ -79,9 +78,7 @@ void Network::pull_to_owner(RequirementFunction& f, int above) {
     const Cost cost = support.cost + given(support, above) - scratch_[static_cast<std::size_t>(support.member)];
     if (cost < cheapest) cheapest = cost, f.witness = s;
   }
-  const auto got_of = [&](int label) {
-    return sum + (label == f.label ? cheapest : 0) - cost_at(f.x_cell + label);
-  };
+  const auto got_of = [&](int label) { return sum + (label == f.label ? cheapest : 0) - cost_at(f.x_cell + label); };
   bool any = false, owner_gains = false;
   for (const int label : live(f.x)) {
     Cost& gain = gain_[static_cast<std::size_t>(label)];
@@ -122,7 +119,8 @@ void Network::charge(const RequirementFunction& f, std::size_t without, Cost tar
     }
   else
     for (const auto& support : f.supports) {
-      if (static_cast<std::size_t>(support.member) == without || support.variable <= above || !is_live(support)) continue;
+      if (static_cast<std::size_t>(support.member) == without || support.variable <= above || !is_live(support))
+        continue;
       const Cost need = target - support.cost + cost_at(support.shift_cell);
       if (need > 0) move(support.label_cell, support.shift_cell, -need);
     }
@@ -146,8 +144,8 @@ void Network::pull_to_member(RequirementFunction& f, std::size_t k, int above) {
   Cost others = f.weight;
   for (const auto& support : f.supports)
     if (static_cast<std::size_t>(support.member) != k && is_live(support))
-      others = std::min(others,
-                        support.cost + given(support, above) - scratch_[static_cast<std::size_t>(support.member)]);
+      others =
+          std::min(others, support.cost + given(support, above) - scratch_[static_cast<std::size_t>(support.member)]);
   const auto got_of = [&](int label) {
     Cost best = others;
     for (const auto& [support, cost] : mine.supports)

@@ -89,8 +89,8 @@ bool Search::leaf(Cost& cost) {
   return true;
 }
 
-/// The labels that cost nothing, taken together, are often a good assignment, and the best one when they cost no more than
-/// the bound.
+/// The labels that cost nothing, taken together, are often a good assignment, and the best one when they cost no more
+/// than the bound.
 void Search::round() {
   network_.round(assignment_);
   const Cost cost = network_.evaluate(assignment_);
@@ -212,8 +212,10 @@ Cost Search::clearance(int v) const {
   Cost least = kTop, second = kTop;
   for (const int label : network_.live(v)) {
     const Cost cost = network_.unary(v, label);
-    if (cost < least) second = std::exchange(least, cost);
-    else second = std::min(second, cost);
+    if (cost < least)
+      second = std::exchange(least, cost);
+    else
+      second = std::min(second, cost);
   }
   return second - least;
 }

@@ -1,7 +1,7 @@
-// Hybrid best-first search over one network: Allouche, de Givry, Katsirelos, Schiex, Zytnicki, "Anytime hybrid best-first
-// search with tree decomposition for weighted CSP", CP 2015. An open list of nodes ordered by lower bound gives the best
-// bound at any time; each node that is taken from it is explored depth first for a limited number of backtracks, which
-// gives good assignments early; what is left of that burst goes back to the list.
+// Hybrid best-first search over one network: Allouche, de Givry, Katsirelos, Schiex, Zytnicki, "Anytime hybrid
+// best-first search with tree decomposition for weighted CSP", CP 2015. An open list of nodes ordered by lower bound
+// gives the best bound at any time; each node that is taken from it is explored depth first for a limited number of
+// backtracks, which gives good assignments early; what is left of that burst goes back to the list.
 #pragma once
 
 #include <atomic>
@@ -56,7 +56,8 @@ class Search {
     std::function<Literal(int variable, int label)> literal;
     std::function<double(Cost)> real;
   };
-  Search(Network& network, Budget& budget, const Report& report) : network_(network), budget_(budget), report_(report) {}
+  Search(Network& network, Budget& budget, const Report& report)
+      : network_(network), budget_(budget), report_(report) {}
 
   /// Labels to try first when costs are equal, one a variable.
   void prefer(const std::vector<int>& assignment) { preferred_ = assignment; }

@@ -56,17 +56,16 @@ Cost Solver::Implementation::least_cost(const Component& component) const {
   return component.best.empty() ? component.network.bound() : component.best_cost;
 }
 
-/// A label was forbidden: one search for each other label of its variable, the most promising first. Each begins with more
-/// known than one search over all of them, and most need not begin, since the root says that they cost too much.
+/// A label was forbidden: one search for each other label of its variable, the most promising first. Each begins with
+/// more known than one search over all of them, and most need not begin, since the root says that they cost too much.
 SearchResult Solver::Implementation::split(Component& component, Search& search, const std::vector<Decision>& decisions,
                                            Cost limit) const {
   const Network& network = component.network;
   const int v = decisions.back().variable;
   std::vector<std::pair<Cost, int>> labels;
   for (const int label : network.live(v))
-    if (std::none_of(decisions.begin(), decisions.end(), [&](const Decision& d) {
-          return d.variable == v && (d.label == label) != d.equal;
-        }))
+    if (std::none_of(decisions.begin(), decisions.end(),
+                     [&](const Decision& d) { return d.variable == v && (d.label == label) != d.equal; }))
       labels.emplace_back(network.bound() + network.unary(v, label), label);
   std::sort(labels.begin(), labels.end());
   SearchResult result;
@@ -87,8 +86,8 @@ SearchResult Solver::Implementation::split(Component& component, Search& search,
   return result;
 }
 
-SearchResult Solver::Implementation::solve(Component& component, const std::vector<Decision>& decisions,
-                                           Budget& budget, Cost limit) {
+SearchResult Solver::Implementation::solve(Component& component, const std::vector<Decision>& decisions, Budget& budget,
+                                           Cost limit) {
   SearchResult result;
   result.cost = limit;
   if (!component.feasible) {

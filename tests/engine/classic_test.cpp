@@ -21,7 +21,8 @@ std::vector<std::string> numbered(int count) {
 Problem queens(int n) {
   Problem problem;
   for (int row = 0; row < n; ++row)
-    problem.add_variable("row" + std::to_string(row), numbered(n), std::vector<double>(static_cast<std::size_t>(n), 0.0));
+    problem.add_variable("row" + std::to_string(row), numbered(n),
+                         std::vector<double>(static_cast<std::size_t>(n), 0.0));
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b)
       for (int x = 0; x < n; ++x)
@@ -64,10 +65,8 @@ TEST(MapColouring, TheWheelNeedsFourColours) {
 
 TEST(Sudoku, WithOneSolutionIsSolved) {
   // Gordon Royle's collection of minimal sudokus has 17 givens; this one has a unique solution.
-  const std::string givens =
-      "000000010400000000020000000000050407008000300001090000300400200050100000000806000";
-  const std::string solved =
-      "693784512487512936125963874932651487568247391741398625319475268856129743274836159";
+  const std::string givens = "000000010400000000020000000000050407008000300001090000300400200050100000000806000";
+  const std::string solved = "693784512487512936125963874932651487568247391741398625319475268856129743274836159";
   Problem problem;
   for (int cell = 0; cell < 81; ++cell) {
     std::vector<double> costs(9, 0.0);
@@ -134,6 +133,19 @@ TEST(Solver, BelowCutsOffWhatIsOfNoInterest) {
       EXPECT_EQ(cut.outcome, Outcome::stopped);
       EXPECT_GE(cut.lower_bound, best.cost + 4 - 1e-6);
     }
+  }
+}
+
+TEST(Marginals, OfALargeRoomComeFromTheBestWorldsAndSayHowMuchTheyCover) {
+  const Problem problem = testing::plane_problem(1, {.planes = 30, .noise = 0.5, .truth = 8});
+  const Marginals marginals = Solver(problem).marginals(100);
+  EXPECT_FALSE(marginals.exact);
+  EXPECT_GT(marginals.covered, 0.5);
+  EXPECT_LE(marginals.covered, 1);
+  for (const auto& row : marginals.probability) {
+    double sum = 0;
+    for (const double p : row) sum += p;
+    EXPECT_NEAR(sum, 1, 1e-9);
   }
 }
 

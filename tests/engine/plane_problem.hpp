@@ -1,6 +1,7 @@
-// Labelling problems like those of scanned rooms: planes with noisy class costs, a hard table for each pair of planes (which
-// classes may stand in the relation that the two planes stand in), and "each screen needs some table below it". A hidden
-// true labelling satisfies everything and is what most of the costs speak for; with `truth` = 0 nothing is hidden.
+// Labelling problems like those of scanned rooms: planes with noisy class costs, a hard table for each pair of planes
+// (which classes may stand in the relation that the two planes stand in), and "each screen needs some table below it".
+// A hidden true labelling satisfies everything and is what most of the costs speak for; with `truth` = 0 nothing is
+// hidden.
 #pragma once
 
 #include <cmath>
@@ -12,12 +13,12 @@ namespace scenelore::engine::testing {
 struct PlaneShape {
   int planes = 60;
   int classes = 8;
-  double forbidden = 0.06;   ///< share of forbidden class pairs in a relation
-  double noise = 1.0;        ///< standard deviation of the class costs
-  double truth = 2.5;        ///< by how much the true class is cheaper, before noise; 0 = there is no true class
-  double reach = 0.3;        ///< share of the planes that could support a plane
-  int requirements = 1;      ///< classes that need a support
-  bool graded = false;       ///< soft requirements with graded supports and soft tables
+  double forbidden = 0.06;  ///< share of forbidden class pairs in a relation
+  double noise = 1.0;       ///< standard deviation of the class costs
+  double truth = 2.5;       ///< by how much the true class is cheaper, before noise; 0 = there is no true class
+  double reach = 0.3;       ///< share of the planes that could support a plane
+  int requirements = 1;     ///< classes that need a support
+  bool graded = false;      ///< soft requirements with graded supports and soft tables
 };
 
 inline Problem plane_problem(std::uint64_t seed, const PlaneShape& shape) {
@@ -54,8 +55,8 @@ inline Problem plane_problem(std::uint64_t seed, const PlaneShape& shape) {
     for (int b = a + 1; b < shape.planes; ++b) {
       int r = random.below(kRelations);  // the true classes may stand in it, if there is one like that
       for (int i = 0; i < kRelations && shape.truth > 0; ++i)
-        if (relations[static_cast<std::size_t>(r)][at(truth[static_cast<std::size_t>(a)],
-                                                      truth[static_cast<std::size_t>(b)])] > 0)
+        if (relations[static_cast<std::size_t>(r)]
+                     [at(truth[static_cast<std::size_t>(a)], truth[static_cast<std::size_t>(b)])] > 0)
           r = (r + 1) % kRelations;
       problem.add("pair", shape.graded && random.chance(0.5) ? 1 + random.real() : kHard, a,
                   PairTable{a, b, tables[static_cast<std::size_t>(r)]});

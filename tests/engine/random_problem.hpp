@@ -35,9 +35,9 @@ struct Shape {
   int most_variables = 6;
   int most_labels = 4;
   int most_constraints = 8;
-  double hard = 0.3;         ///< share of hard constraints
-  double forbidden = 0.05;   ///< of labels
-  double largest = 8;        ///< costs are multiples of largest / 64, or of largest / 4 (many equal ones)
+  double hard = 0.3;        ///< share of hard constraints
+  double forbidden = 0.05;  ///< of labels
+  double largest = 8;       ///< costs are multiples of largest / 64, or of largest / 4 (many equal ones)
 };
 
 inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
@@ -45,7 +45,9 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
   Problem problem;
   const int steps = random.chance(0.5) ? 64 : 4;
   const auto cost = [&] { return shape.largest * random.below(steps + 1) / steps; };
-  const auto weight = [&] { return random.chance(shape.hard) ? kHard : shape.largest * (1 + random.below(steps)) / steps; };
+  const auto weight = [&] {
+    return random.chance(shape.hard) ? kHard : shape.largest * (1 + random.below(steps)) / steps;
+  };
   const int variables = 1 + random.below(shape.most_variables);
   for (int v = 0; v < variables; ++v) {
     std::vector<std::string> labels;
@@ -66,7 +68,9 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
     const std::string name = "c" + std::to_string(c);
     const double w = weight();
     switch (random.below(4)) {
-      case 0: problem.add(name, w, c, Conflict{literal(), literal()}); break;
+      case 0:
+        problem.add(name, w, c, Conflict{literal(), literal()});
+        break;
       case 1: {
         Requirement requirement{literal(), {}};
         for (int i = random.below(5); i > 0; --i)
@@ -92,7 +96,8 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
         std::vector<double> entries;
         for (std::size_t i = 0; i < rows * columns; ++i)
           entries.push_back(random.chance(0.5) ? 0 : random.chance(0.1) ? kHard : cost() / shape.largest);
-        problem.add(name, w, c, PairTable{a, b, problem.add_table(static_cast<int>(rows), static_cast<int>(columns), entries)});
+        problem.add(name, w, c,
+                    PairTable{a, b, problem.add_table(static_cast<int>(rows), static_cast<int>(columns), entries)});
       }
     }
   }

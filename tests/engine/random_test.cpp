@@ -87,6 +87,28 @@ TEST_P(Random, MinMarginalsAndAssumptionsEqualEnumeration) {
   }
 }
 
+TEST_P(Random, MarginalsEqualEnumeration) {
+  if (GetParam().second.largest > 1000) return;  // one world has all the probability
+  for (std::uint64_t seed = 0; seed < kProblems; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem p = problem(seed);
+    const auto worlds = all_worlds(p);
+    if (worlds.empty()) continue;
+    const Marginals marginals = Solver(p).marginals();
+    ASSERT_TRUE(marginals.exact);
+    std::vector<std::vector<double>> expected;
+    for (const Variable& v : p.variables()) expected.emplace_back(v.labels.size(), 0.0);
+    double sum = 0;
+    for (const auto& [cost, labels] : worlds) sum += std::exp(worlds[0].first - cost);
+    for (const auto& [cost, labels] : worlds)
+      for (std::size_t v = 0; v < labels.size(); ++v)
+        expected[v][static_cast<std::size_t>(labels[v])] += std::exp(worlds[0].first - cost) / sum;
+    for (std::size_t v = 0; v < expected.size(); ++v)
+      for (std::size_t l = 0; l < expected[v].size(); ++l)
+        ASSERT_NEAR(marginals.probability[v][l], expected[v][l], 1e-6);
+  }
+}
+
 TEST_P(Random, ConflictIsUnsatisfiableAndMinimal) {
   for (std::uint64_t seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE(seed);

@@ -54,8 +54,9 @@ void compare(const Problem& problem, const std::string& name) {
 TEST(Toulbar2, AgreesOnRandomProblemsOfEveryKind) {
   if (!installed()) GTEST_SKIP() << "toulbar2 is not installed: nothing to compare with";
   for (std::uint64_t seed = 0; seed < 60; ++seed)
-    compare(testing::random_problem(seed + 5000, {.most_variables = 14, .most_labels = 5, .most_constraints = 40,
-                                                  .hard = 0.15, .forbidden = 0.02}),
+    compare(testing::random_problem(
+                seed + 5000,
+                {.most_variables = 14, .most_labels = 5, .most_constraints = 40, .hard = 0.15, .forbidden = 0.02}),
             "random" + std::to_string(seed));
 }
 
@@ -63,7 +64,8 @@ TEST(Toulbar2, AgreesOnRoomsOfPlanes) {
   if (!installed()) GTEST_SKIP() << "toulbar2 is not installed: nothing to compare with";
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     compare(testing::plane_problem(seed, {.planes = 60, .classes = 8}), "planes" + std::to_string(seed));
-    compare(testing::plane_problem(seed, {.planes = 30, .classes = 10, .truth = 5, .reach = 0.2, .requirements = 3, .graded = true}),
+    compare(testing::plane_problem(
+                seed, {.planes = 30, .classes = 10, .truth = 5, .reach = 0.2, .requirements = 3, .graded = true}),
             "graded" + std::to_string(seed));
   }
   compare(testing::plane_problem(9, {.planes = 120, .classes = 6, .truth = 4, .reach = 0.05}), "planes120");

@@ -7,10 +7,10 @@
 
 namespace scenelore::engine {
 
-/// Writes the problem as a toulbar2 cost function network; costs with six decimals. Variables keep their names when they
-/// differ from each other; requirement c adds a variable "supporter<c>" (none, or one of the supports) and cardinality c
-/// variables "count<c>_<i>", so that functions have at most three variables. The problem's variables come first, in order.
-/// `toulbar2 FILE -s=3` shows the labels. Throws Error when a name holds a quote or backslash.
+/// Writes the problem as a toulbar2 cost function network; costs with six decimals. Variables keep their names when
+/// they differ from each other; requirement c adds a variable "supporter<c>" (none, or one of the supports) and
+/// cardinality c variables "count<c>_<i>", so that functions have at most three variables. The problem's variables come
+/// first, in order. `toulbar2 FILE -s=3` shows the labels. Throws Error when a name holds a quote or backslash.
 void write_cfn(const Problem& problem, std::ostream& out);
 
 }  // namespace scenelore::engine

@@ -2,7 +2,8 @@
 //
 //   Problem problem; … Solver solver(problem);
 //   Solution best = solver.solve();            // best.assignment[v] is the label of variable v
-//   Solution other = solver.solve({.forbidden = {{3, best.assignment[3]}}});   // the best world where 3 is something else
+//   Solution other = solver.solve({.forbidden = {{3, best.assignment[3]}}});   // the best world where 3 is something
+//   else
 #pragma once
 
 #include <atomic>
@@ -76,8 +77,8 @@ struct MinMarginals {
 /// Probability of each literal under P(world) ∝ exp(−cost), over worlds that satisfy the hard constraints.
 struct Marginals {
   std::vector<std::vector<double>> probability;
-  bool exact = true;     ///< by variable elimination; else from the k best worlds
-  double covered = 1;    ///< share of the probability mass that was enumerated (an estimate when not exact)
+  bool exact = true;   ///< by variable elimination; else from the k best worlds
+  double covered = 1;  ///< share of the probability mass that was enumerated; when not exact, no more than that share
 };
 
 /// Keeps the propagated root of one problem, so that repeated solves are cheap. Not safe for concurrent use; the
@@ -90,7 +91,8 @@ class Solver {
   Solver& operator=(Solver&&) noexcept;
 
   Solution solve(const Assumptions& assumptions = {});
-  /// The k cheapest different assignments, cheapest first, equal costs in lexicographic order of labels; fewer if there are fewer.
+  /// The k cheapest different assignments, cheapest first, equal costs in lexicographic order of labels; fewer if there
+  /// are fewer.
   std::vector<Solution> k_best(int k);
   MinMarginals min_marginals();
   Marginals marginals(int most_worlds = 200);
