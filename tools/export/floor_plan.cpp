@@ -4,126 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "export/footprint.hpp"
 #include "export/label_layout.hpp"
+#include "export/plan_legend.hpp"
+#include "export/plan_shapes.hpp"
 #include "export/svg.hpp"
 
 namespace scenelore::exports {
 namespace {
 
 // The page, in pixels.
-constexpr double kPageMargin = 36, kTitleHeight = 64, kPanelWidth = 920, kPanelHeight = 700, kLegendWidth = 216, kFooterHeight = 62;
+constexpr double kLegendWidth = 216, kLegendGap = 28, kFooterHeight = 62;
 constexpr double kFontSize = 11.5;
-constexpr double kLargestScale = 240;  // pixels a metre: a single desk must not fill the page
 
 // The drawing, in metres.
-constexpr double kBorder = 0.45;          // around everything, so that names find room outside the walls
 constexpr double kWallThickness = 0.14, kStripThickness = 0.07;
-constexpr double kOverhead = 1.9;         // flat things above this are drawn as dashed outlines, as architects do
-constexpr double kSmallArea = 0.35;       // m²; smaller things should not be written over
-
-const Color kInk{38, 50, 61}, kWhite{255, 255, 255}, kBlack{0, 0, 0};
-
-enum class Kind { floor, wall, strip, flat, overhead };
-
-struct Shape {
-  const FloorPlanItem* item = nullptr;
-  Footprint print;  ///< metres
-  Kind kind = Kind::flat;
-};
-
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
-Kind kind_of(const FloorPlanItem& item, const Footprint& print) {
-  if (item.class_name == "floor" && !print.strip) return Kind::floor;
-  if (item.class_name == "wall" && print.strip) return Kind::wall;
-  if (print.strip) return Kind::strip;
-  return item.height > kOverhead ? Kind::overhead : Kind::flat;
-}
-
-/// What is drawn, in the order of drawing: background, walls, then from the bottom up; ties by number.
-std::vector<Shape> shapes_of(const FloorPlan& plan) {
-  std::vector<Shape> shapes;
-  for (const FloorPlanItem& item : plan.items) {
-    if (item.class_name == "ceiling") continue;
-    if (auto print = footprint(item.hull, item.tilt_deg)) {
-      const Kind kind = kind_of(item, *print);
-      shapes.push_back({&item, std::move(*print), kind});
-    }
-  }
-  const auto rank = [](const Shape& s) { return s.kind == Kind::floor ? 0 : s.kind == Kind::wall ? 1 : 2; };
-  const auto height = [](const Shape& s) { return std::isfinite(s.item->height) ? s.item->height : 0.0; };
-  std::stable_sort(shapes.begin(), shapes.end(), [&](const Shape& a, const Shape& b) {
-    if (rank(a) != rank(b)) return rank(a) < rank(b);
-    if (height(a) != height(b)) return height(a) < height(b);
-    return a.item->id < b.item->id;
-  });
-  return shapes;
-}
-
-/// From metres, y up, to pixels, y down.
-struct Page {
-  Eigen::Vector2d low{-1, -1}, high{1, 1};  ///< metres shown
-  double scale = 100;                       ///< pixels a metre
-  double left = kPageMargin + 26, top = kTitleHeight + kPageMargin - 8;
-
-  [[nodiscard]] Eigen::Vector2d to(const Eigen::Vector2d& p) const { return {left + (p.x() - low.x()) * scale, top + (high.y() - p.y()) * scale}; }
-  [[nodiscard]] double width() const { return (high.x() - low.x()) * scale; }
-  [[nodiscard]] double height() const { return (high.y() - low.y()) * scale; }
-  [[nodiscard]] double right() const { return left + width(); }
-  [[nodiscard]] double bottom() const { return top + height(); }
-};
-
-Page page_for(const std::vector<Shape>& shapes) {
-  Page page;
-  if (shapes.empty()) return page;
-  page.low = shapes[0].print.box.center, page.high = page.low;
-  for (const Shape& shape : shapes) {
-    for (int i = 0; i < 4; ++i) {
-      page.low = page.low.cwiseMin(shape.print.box.corner(i));
-      page.high = page.high.cwiseMax(shape.print.box.corner(i));
-    }
-  }
-  const double border = std::max(kBorder, 0.04 * (page.high - page.low).maxCoeff());
-  page.low.array() -= border, page.high.array() += border;
-  const Eigen::Vector2d size = page.high - page.low;
-  page.scale = std::min({kPanelWidth / size.x(), kPanelHeight / size.y(), kLargestScale});
-  return page;
-}
-
-/// The same footprint in pixels.
-Footprint on_page(const Footprint& print, const Page& page) {
-  Footprint out = print;
-  for (Ring2& ring : out.rings) {
-    for (Eigen::Vector2d& p : ring) p = page.to(p);
-  }
-  out.box.center = page.to(print.box.center);
-  out.box.axis.y() = -print.box.axis.y();
-  out.box.half *= page.scale;
-  out.behind.y() = -print.behind.y();
-  return out;
-}
-
-/// 1, 2 or 5 times a power of ten: the smallest such step of at least so many pixels.
-double round_step(double pixels, const Page& page) {
-  double step = std::pow(10.0, std::floor(std::log10(pixels / page.scale)));
-  for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-    if (factor * step * page.scale >= pixels) return factor * step;
-  }
-  return 10 * step;
-}
+constexpr double kSmallArea = 0.35;    // m²; smaller things should not be written over
+constexpr double kNamedUnknown = 0.5;  // m² (or metres of a strip) from which on an unknown thing is worth a name
 
 std::string metres(double value) { return fmt::format("{:g}", std::abs(value) < 1e-9 ? 0.0 : value); }
 
 class Drawing {
  public:
-  explicit Drawing(const FloorPlan& plan) : plan_(plan), shapes_(shapes_of(plan)), page_(page_for(shapes_)) {}
+  explicit Drawing(const FloorPlan& plan)
+      : plan_(plan), shapes_(shapes_of(plan)), legend_(plan, shapes_), page_(page_for(shapes_)) {}
 
   std::string draw() {
     draw_panel();
@@ -135,7 +40,7 @@ class Drawing {
     draw_frame();
     draw_names();
     draw_title();
-    draw_legend();
+    body_ += legend_.draw(legend_left(), page_.top, kLegendWidth);
     draw_footer();
     return header() + body_ + "</svg>\n";
   }
@@ -143,35 +48,31 @@ class Drawing {
  private:
   // Page -----------------------------------------------------------------------------------------------------------
 
-  [[nodiscard]] double page_width() const { return page_.right() + 28 + kLegendWidth + kPageMargin; }
-  [[nodiscard]] double page_height() const { return std::max(page_.bottom() + kFooterHeight + 14, legend_bottom() + kPageMargin); }
+  [[nodiscard]] double page_width() const { return legend_left() + kLegendWidth + kPageMargin; }
+  [[nodiscard]] double page_height() const {
+    return std::max(page_.bottom() + kFooterHeight + 14, page_.top + legend_.height() + kPageMargin);
+  }
 
   [[nodiscard]] std::string header() const {
     const std::string w = number(page_width()), h = number(page_height());
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + w + " " + h + "\" width=\"" + w + "\" height=\"" + h +
-           "\" font-family=\"Inter, 'Segoe UI', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif\">\n<title>" + escaped(plan_.title) +
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + w + " " + h + "\" width=\"" + w +
+           "\" height=\"" + h +
+           "\" font-family=\"Inter, 'Segoe UI', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif\">\n<title>" +
+           escaped(plan_.title) +
            "</title>\n<defs>\n"
-           "<pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
-           "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a949e\" stroke-width=\"1.6\" stroke-opacity=\"0.55\"/></pattern>\n"
-           "<clipPath id=\"panel\">" + rect(page_.left, page_.top, page_.width(), page_.height(), "") + "</clipPath>\n</defs>\n"
+           "<pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+           "patternTransform=\"rotate(45)\">"
+           "<line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"7\" stroke=\"#8a949e\" stroke-width=\"1.6\" "
+           "stroke-opacity=\"0.55\"/></pattern>\n"
+           "<clipPath id=\"panel\">" +
+           rect(page_.left, page_.top, page_.width(), page_.height(), "") +
+           "</clipPath>\n</defs>\n"
            "<rect width=\"100%\" height=\"100%\" fill=\"#fbfcfd\"/>\n";
   }
 
-  static std::string rect(double x, double y, double w, double h, const std::string& style) {
-    return "<rect x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\"" + number(w) + "\" height=\"" + number(h) + "\"" + style + "/>";
-  }
-
-  static std::string line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& style, const std::string& content = "") {
-    return "<line x1=\"" + number(a.x()) + "\" y1=\"" + number(a.y()) + "\" x2=\"" + number(b.x()) + "\" y2=\"" + number(b.y()) + "\"" + style +
-           ">" + content + "</line>";
-  }
-
-  void text(double x, double y, double size, const std::string& style, const std::string& content) {
-    body_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" font-size=\"" + number(size) + "\"" + style + ">" + escaped(content) + "</text>\n";
-  }
-
   void draw_panel() {
-    body_ += rect(page_.left, page_.top, page_.width(), page_.height(), " fill=\"#eef1f4\"") + "\n<g clip-path=\"url(#panel)\">\n";
+    body_ += rect(page_.left, page_.top, page_.width(), page_.height(), " fill=\"#eef1f4\"") +
+             "\n<g clip-path=\"url(#panel)\">\n";
   }
 
   // Shapes ---------------------------------------------------------------------------------------------------------
@@ -179,9 +80,10 @@ class Drawing {
   void draw_floors() {
     for (const Shape& shape : shapes_) {
       if (shape.kind != Kind::floor) continue;
-      const Color tint = mixed(parse_color(shape.item->color), kWhite, 0.82);
+      const Color tint = floor_color(parse_color(shape.item->color));
       body_ += "<path d=\"" + path(on_page(shape.print, page_).rings) + "\" fill=\"" + hex(tint) +
-               "\" fill-rule=\"evenodd\" stroke=\"" + hex(mixed(tint, kBlack, 0.12)) + "\" stroke-linejoin=\"round\">" + tip(shape) + "</path>\n";
+               "\" fill-rule=\"evenodd\" stroke=\"" + hex(mixed(tint, kBlack, 0.12)) + "\" stroke-linejoin=\"round\">" +
+               tip(shape) + "</path>\n";
     }
   }
 
@@ -202,8 +104,10 @@ class Drawing {
   [[nodiscard]] double grid_step() const { return std::max(round_step(26, page_), 1.0); }
 
   [[nodiscard]] double thickness(const Shape& shape) const {
+    if (is_unknown(shape)) return 3;
     const double least = shape.kind == Kind::wall ? 7 : 4.5;
-    const double drawn = shape.kind == Kind::wall ? kWallThickness : std::clamp(2 * shape.print.box.half.y(), kStripThickness, 0.12);
+    const double drawn =
+        shape.kind == Kind::wall ? kWallThickness : std::clamp(2 * shape.print.box.half.y(), kStripThickness, 0.12);
     return std::clamp(drawn * page_.scale, least, 24.0);
   }
 
@@ -214,14 +118,16 @@ class Drawing {
     return print;
   }
 
-  /// By how much a wall is drawn longer at its end of that sign, in pixels: round the corner where another wall ends nearby.
+  /// By how much a wall is drawn longer at its end of that sign, in pixels: round the corner where another wall ends
+  /// nearby.
   [[nodiscard]] double corner_length(const Shape& wall, double sign) const {
     constexpr double kNear = 0.35;  // metres
     const auto end = [](const Shape& shape, double side) -> Eigen::Vector2d {
       return shape.print.box.center + side * shape.print.box.half.x() * shape.print.box.axis;
     };
     const bool meets = std::any_of(shapes_.begin(), shapes_.end(), [&](const Shape& other) {
-      if (other.kind != Kind::wall || &other == &wall || std::abs(other.print.box.axis.dot(wall.print.box.axis)) > 0.8) return false;
+      if (other.kind != Kind::wall || &other == &wall || std::abs(other.print.box.axis.dot(wall.print.box.axis)) > 0.8)
+        return false;
       return (end(other, 1) - end(wall, sign)).norm() < kNear || (end(other, -1) - end(wall, sign)).norm() < kNear;
     });
     return meets ? thickness(wall) : 0;
@@ -230,9 +136,12 @@ class Drawing {
   [[nodiscard]] std::string strip_line(const Shape& shape, double outline, const Color& color) const {
     const OrientedBox box = strip_on_page(shape).box;
     const bool wall = shape.kind == Kind::wall;
-    const double before = outline / 2 + (wall ? corner_length(shape, -1) : 0), after = outline / 2 + (wall ? corner_length(shape, 1) : 0);
-    const std::string style = " stroke=\"" + hex(color) + "\" stroke-width=\"" + number(thickness(shape) + outline) + "\"";
-    return line(box.center - box.axis * (box.half.x() + before), box.center + box.axis * (box.half.x() + after), style, tip(shape)) + "\n";
+    const double before = outline / 2 + (wall ? corner_length(shape, -1) : 0),
+                 after = outline / 2 + (wall ? corner_length(shape, 1) : 0);
+    const std::string style =
+        " stroke=\"" + hex(color) + "\" stroke-width=\"" + number(thickness(shape) + outline) + "\"";
+    return line(box.center - box.axis * (box.half.x() + before), box.center + box.axis * (box.half.x() + after), style,
+                tip(shape));
   }
 
   /// All outlines first, then all fillings, so that walls join at the corners.
@@ -240,7 +149,7 @@ class Drawing {
     for (const bool outline : {true, false}) {
       for (const Shape& shape : shapes_) {
         if (shape.kind != Kind::wall) continue;
-        const Color fill = mixed(parse_color(shape.item->color), kInk, 0.45);
+        const Color fill = wall_color(parse_color(shape.item->color));
         body_ += strip_line(shape, outline ? 1.6 : 0, outline ? mixed(fill, kBlack, 0.35) : faded(fill, shape));
       }
     }
@@ -255,24 +164,33 @@ class Drawing {
   void draw_flat(const Shape& shape) {
     const Color color = parse_color(shape.item->color);
     const std::string outline = path(on_page(shape.print, page_).rings);
-    const bool unknown = shape.item->class_name == "unknown";
-    body_ += "<path d=\"" + outline + "\" fill=\"" + hex(unknown ? kWhite : faded(mixed(color, kWhite, 0.12), shape)) + "\" fill-opacity=\"" +
-             (unknown ? "0.6" : "0.92") + "\" fill-rule=\"evenodd\" stroke=\"" + hex(mixed(color, kInk, 0.45)) +
-             "\" stroke-width=\"1.2\" stroke-linejoin=\"round\">" + tip(shape) + "</path>\n";
-    if (unknown) body_ += "<path d=\"" + outline + "\" fill=\"url(#hatch)\" fill-rule=\"evenodd\" pointer-events=\"none\"/>\n";
+    const bool unknown = is_unknown(shape);
+    body_ += "<path d=\"" + outline + "\" fill=\"" + hex(unknown ? kWhite : faded(mixed(color, kWhite, 0.12), shape)) +
+             "\" fill-opacity=\"" + (unknown ? "0.6" : "0.92") + "\" fill-rule=\"evenodd\" stroke=\"" +
+             hex(unknown ? color : mixed(color, kInk, 0.45)) + "\" stroke-width=\"" + (unknown ? "0.8" : "1.2") +
+             "\" stroke-linejoin=\"round\">" + tip(shape) + "</path>\n";
+    if (unknown)
+      body_ += "<path d=\"" + outline + "\" fill=\"url(#hatch)\" fill-rule=\"evenodd\" pointer-events=\"none\"/>\n";
   }
 
   void draw_overhead(const Shape& shape) {
     const Color color = parse_color(shape.item->color);
-    body_ += "<path d=\"" + path(on_page(shape.print, page_).rings) + "\" fill=\"" + hex(color) + "\" fill-opacity=\"0.05\" fill-rule=\"evenodd\" stroke=\"" +
-             hex(mixed(color, kInk, 0.3)) + "\" stroke-width=\"1.2\" stroke-dasharray=\"6 4\" stroke-linejoin=\"round\">" + tip(shape) + "</path>\n";
+    body_ += "<path d=\"" + path(on_page(shape.print, page_).rings) + "\" fill=\"" + hex(color) +
+             "\" fill-opacity=\"0.05\" fill-rule=\"evenodd\" stroke=\"" + hex(mixed(color, kInk, 0.3)) +
+             "\" stroke-width=\"1.2\" stroke-dasharray=\"6 4\" stroke-linejoin=\"round\">" + tip(shape) + "</path>\n";
   }
 
   void draw_strip(const Shape& shape) {
     const Color color = parse_color(shape.item->color);
+    if (is_unknown(shape)) {
+      body_ += strip_line(shape, 0, mixed(color, kWhite, 0.35));
+      return;
+    }
     body_ += strip_line(shape, 2, mixed(color, kInk, 0.6));
     body_ += strip_line(shape, 0, faded(color, shape));
   }
+
+  [[nodiscard]] static bool is_unknown(const Shape& shape) { return shape.item->class_name == "unknown"; }
 
   /// Paler the less certain the label: at probability 0, two thirds of the way to white.
   [[nodiscard]] static Color faded(const Color& color, const Shape& shape) {
@@ -283,7 +201,10 @@ class Drawing {
   /// What a browser shows under the pointer.
   [[nodiscard]] static std::string tip(const Shape& shape) {
     const FloorPlanItem& item = *shape.item;
-    return "<title>" + escaped(fmt::format("{} {}: {:.0f} %, height {:.2f} m", spoken(item.class_name), item.id, 100 * item.probability, item.height)) + "</title>";
+    return "<title>" +
+           escaped(fmt::format("{} {}: {:.0f} %, height {:.2f} m", spoken(item.class_name), item.id,
+                               100 * item.probability, item.height)) +
+           "</title>";
   }
 
   // Names ----------------------------------------------------------------------------------------------------------
@@ -291,11 +212,14 @@ class Drawing {
   /// Small things first, since they have the fewest places; then the unknown, the walls, the floor.
   [[nodiscard]] std::vector<const Shape*> naming_order() const {
     std::vector<const Shape*> order;
-    for (const Shape& shape : shapes_) order.push_back(&shape);
+    for (const Shape& shape : shapes_) {
+      const double size = shape.print.strip ? 2 * shape.print.box.half.x() : shape.print.area;
+      if (!is_unknown(shape) || size >= kNamedUnknown) order.push_back(&shape);
+    }
     const auto rank = [](const Shape* s) {
       if (s->kind == Kind::floor) return 3;
       if (s->kind == Kind::wall) return 2;
-      return s->item->class_name == "unknown" ? 1 : 0;
+      return is_unknown(*s) ? 1 : 0;
     };
     std::stable_sort(order.begin(), order.end(), [&](const Shape* a, const Shape* b) {
       return rank(a) != rank(b) ? rank(a) < rank(b) : a->print.area < b->print.area;
@@ -307,15 +231,19 @@ class Drawing {
   [[nodiscard]] static bool stacked(const Shape& a, const Shape& b) {
     const OrientedBox &u = a.print.box, &v = b.print.box;
     return a.item->class_name == b.item->class_name && a.print.strip == b.print.strip && a.kind != Kind::wall &&
-           (u.center - v.center).norm() < 0.15 && std::abs(u.half.x() - v.half.x()) < 0.15 && std::abs(u.half.y() - v.half.y()) < 0.1;
+           (u.center - v.center).norm() < 0.15 && std::abs(u.half.x() - v.half.x()) < 0.15 &&
+           std::abs(u.half.y() - v.half.y()) < 0.1;
   }
 
   [[nodiscard]] std::vector<std::vector<const Shape*>> named_groups() const {
     std::vector<std::vector<const Shape*>> groups;
     for (const Shape* shape : naming_order()) {
-      const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return stacked(*group[0], *shape); });
-      if (known == groups.end()) groups.push_back({shape});
-      else known->push_back(shape);
+      const auto known =
+          std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return stacked(*group[0], *shape); });
+      if (known == groups.end())
+        groups.push_back({shape});
+      else
+        known->push_back(shape);
     }
     return groups;
   }
@@ -342,16 +270,19 @@ class Drawing {
     const auto groups = named_groups();
     for (const auto& group : groups) {
       const Shape& shape = *group[0];
-      LabelWish wish{name_of(group), shape.print.strip ? strip_on_page(shape) : on_page(shape.print, page_), 0, shape.kind == Kind::floor};
+      LabelWish wish{name_of(group), shape.print.strip ? strip_on_page(shape) : on_page(shape.print, page_), 0,
+                     shape.kind == Kind::floor || is_unknown(shape)};
       if (shape.print.strip) wish.thickness = thickness(shape), wish.shape.box.half.y() = wish.thickness / 2;
       const bool small = shape.print.strip || shape.print.area < kSmallArea;
-      if (shape.kind != Kind::floor) obstacles.push_back({wish.shape.box, wishes.size(), small && shape.kind != Kind::overhead});
+      if (shape.kind != Kind::floor)
+        obstacles.push_back({wish.shape.box, wishes.size(), small && shape.kind != Kind::overhead});
       wishes.push_back(std::move(wish));
     }
     const LabelArea area{{page_.left + 2, page_.top + 2}, {page_.right() - 2, page_.bottom() - 2}};
     const auto placed = place_labels(wishes, kFontSize, obstacles, area);
     body_ += "<g font-size=\"" + number(kFontSize) + "\" text-anchor=\"middle\" fill=\"" + hex(kInk) +
-             "\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"2.6\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
+             "\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"2.6\" stroke-linejoin=\"round\" "
+             "paint-order=\"stroke\">\n";
     for (std::size_t i = 0; i < wishes.size(); ++i) {
       if (placed[i]) draw_name(*groups[i][0], wishes[i], *placed[i]);
     }
@@ -362,14 +293,16 @@ class Drawing {
     const Eigen::Vector2d center = label.box.center;
     if (label.beside) {
       const Eigen::Vector2d target = wish.shape.box.center;
-      const Eigen::Vector2d near(std::clamp(target.x(), center.x() - label.box.half.x(), center.x() + label.box.half.x()),
-                                 std::clamp(target.y(), center.y() - label.box.half.y(), center.y() + label.box.half.y()));
-      body_ += line(near, target, " stroke=\"" + hex(kInk) + "\" stroke-width=\"0.7\" stroke-opacity=\"0.6\"") + "\n";
+      const Eigen::Vector2d near(
+          std::clamp(target.x(), center.x() - label.box.half.x(), center.x() + label.box.half.x()),
+          std::clamp(target.y(), center.y() - label.box.half.y(), center.y() + label.box.half.y()));
+      body_ += line(near, target, " stroke=\"" + hex(kInk) + "\" stroke-width=\"0.7\" stroke-opacity=\"0.6\"");
     }
     const double angle = std::atan2(label.box.axis.y(), label.box.axis.x()) * 180 / 3.14159265358979323846;
-    const bool quiet = shape.kind == Kind::floor || shape.kind == Kind::wall || shape.item->class_name == "unknown";
+    const bool quiet = shape.kind == Kind::floor || shape.kind == Kind::wall || is_unknown(shape);
     body_ += "<text x=\"" + number(center.x()) + "\" y=\"" + number(center.y() + kFontSize * 0.36) + "\"";
-    if (std::abs(angle) > 0.05) body_ += " transform=\"rotate(" + number(angle) + " " + number(center.x()) + " " + number(center.y()) + ")\"";
+    if (std::abs(angle) > 0.05)
+      body_ += " transform=\"rotate(" + number(angle) + " " + number(center.x()) + " " + number(center.y()) + ")\"";
     body_ += quiet ? " fill=\"#5d6973\">" : " font-weight=\"600\">";
     body_ += escaped(wish.text) + "</text>\n";
   }
@@ -377,28 +310,29 @@ class Drawing {
   // Around the drawing ---------------------------------------------------------------------------------------------
 
   void draw_frame() {
-    body_ += rect(page_.left, page_.top, page_.width(), page_.height(), " fill=\"none\" stroke=\"#c3cbd3\"") + "\n";
+    body_ += rect(page_.left, page_.top, page_.width(), page_.height(), " fill=\"none\" stroke=\"#c3cbd3\"");
     const double step = std::max(round_step(48, page_), grid_step());
     body_ += "<g fill=\"#7b8791\">\n";
     for (double x = std::ceil(page_.low.x() / step) * step; x <= page_.high.x(); x += step) {
-      text(page_.to({x, 0}).x(), page_.bottom() + 15, 10, " text-anchor=\"middle\"", metres(x));
+      body_ += text(page_.to({x, 0}).x(), page_.bottom() + 15, 10, " text-anchor=\"middle\"", metres(x));
     }
     for (double y = std::ceil(page_.low.y() / step) * step; y <= page_.high.y(); y += step) {
-      text(page_.left - 6, page_.to({0, y}).y() + 3.5, 10, " text-anchor=\"end\"", metres(y));
+      body_ += text(page_.left - 6, page_.to({0, y}).y() + 3.5, 10, " text-anchor=\"end\"", metres(y));
     }
     body_ += "</g>\n";
   }
 
   void draw_title() {
     const std::string ink = hex(kInk);
-    text(page_.left, kPageMargin + 18, 26, " font-weight=\"700\" fill=\"" + ink + "\"", plan_.title.empty() ? "Floor plan" : plan_.title);
+    body_ += text(page_.left, kPageMargin + 18, 26, " font-weight=\"700\" fill=\"" + ink + "\"",
+                  plan_.title.empty() ? "Floor plan" : plan_.title);
     double floor = 0;
     for (const Shape& shape : shapes_) floor += shape.kind == Kind::floor ? shape.print.area : 0;
     const Eigen::Vector2d size = extent();
     std::string line = fmt::format("{} labelled plane{}", plan_.items.size(), plan_.items.size() == 1 ? "" : "s");
     if (!shapes_.empty()) line += fmt::format(" · {:.1f} m × {:.1f} m", size.x(), size.y());
     if (floor > 0) line += fmt::format(" · {:.1f} m² of floor seen", floor);
-    text(page_.left, kPageMargin + 40, 13, " fill=\"#6b7780\"", line);
+    body_ += text(page_.left, kPageMargin + 40, 13, " fill=\"#6b7780\"", line);
   }
 
   [[nodiscard]] Eigen::Vector2d extent() const {
@@ -407,86 +341,33 @@ class Drawing {
     return (page_.high - page_.low).array() - 2 * inner;
   }
 
-  struct LegendEntry {
-    const Shape* example = nullptr;
-    std::string color;
-    std::size_t count = 0;
-  };
-
-  /// Floor and walls, then the classes by name, then what is unknown or not drawn.
-  [[nodiscard]] std::vector<std::pair<std::string, LegendEntry>> legend() const {
-    std::map<std::pair<int, std::string>, LegendEntry> sorted;
-    for (const FloorPlanItem& item : plan_.items) {
-      const std::string& name = item.class_name;
-      const int rank = name == "floor" ? 0 : name == "wall" ? 1 : name == "unknown" ? 3 : name == "ceiling" ? 4 : 2;
-      LegendEntry& entry = sorted[{rank, name}];
-      entry.color = item.color;
-      ++entry.count;
-    }
-    for (const Shape& shape : shapes_) {
-      for (auto& [key, entry] : sorted) {
-        if (key.second != shape.item->class_name) continue;
-        if (entry.example == nullptr || (entry.example->print.strip && !shape.print.strip)) entry.example = &shape;
-      }
-    }
-    std::vector<std::pair<std::string, LegendEntry>> out;
-    for (const auto& [key, entry] : sorted) out.emplace_back(key.second, entry);
-    return out;
-  }
-
-  [[nodiscard]] double legend_left() const { return page_.right() + 28; }
-  [[nodiscard]] double legend_bottom() const { return page_.top + 50 + 25.0 * static_cast<double>(legend().size()); }
-
-  void draw_legend() {
-    const double x = legend_left();
-    double y = page_.top + 14;
-    text(x, y, 12, " font-weight=\"700\" letter-spacing=\"0.8\" fill=\"#6b7780\"", "CLASSES");
-    y += 14;
-    for (const auto& [name, entry] : legend()) {
-      draw_swatch(x, y, name, entry);
-      const bool drawn = entry.example != nullptr;
-      text(x + 34, y + 12.5, 13, drawn ? " fill=\"#26323d\"" : " fill=\"#98a2aa\"", spoken(name) + (drawn ? "" : " (not drawn)"));
-      text(x + kLegendWidth, y + 12.5, 13, " text-anchor=\"end\" fill=\"#6b7780\"", std::to_string(entry.count));
-      y += 25;
-    }
-  }
-
-  void draw_swatch(double x, double y, const std::string& name, const LegendEntry& entry) {
-    const Color color = parse_color(entry.color);
-    const Kind kind = entry.example == nullptr ? Kind::overhead : entry.example->kind;
-    if (kind == Kind::wall || kind == Kind::strip) {
-      const Color fill = kind == Kind::wall ? mixed(color, kInk, 0.45) : color;
-      body_ += rect(x, y + 5, 24, 6.5, " fill=\"" + hex(fill) + "\" stroke=\"" + hex(mixed(fill, kInk, 0.5)) + "\"") + "\n";
-      return;
-    }
-    const bool hollow = entry.example == nullptr, unknown = name == "unknown";
-    const Color fill = kind == Kind::floor ? mixed(color, kWhite, 0.82) : mixed(color, kWhite, 0.12);
-    body_ += rect(x, y + 0.5, 24, 15, " rx=\"2\" fill=\"" + (hollow ? "none" : hex(unknown ? kWhite : fill)) + "\" stroke=\"" +
-                                          hex(mixed(color, kInk, kind == Kind::floor ? 0.1 : 0.45)) + "\"" + (hollow ? " stroke-dasharray=\"3 2\"" : "")) + "\n";
-    if (unknown && !hollow) body_ += rect(x, y + 0.5, 24, 15, " rx=\"2\" fill=\"url(#hatch)\"") + "\n";
-  }
+  [[nodiscard]] double legend_left() const { return page_.right() + kLegendGap; }
 
   void draw_footer() {
     const double y = page_.bottom() + 36, step = std::max(round_step(60, page_), grid_step());
     for (int i = 0; i < 2; ++i) {
-      body_ += rect(page_.left + i * step * page_.scale, y, step * page_.scale, 6,
-                    std::string(" stroke=\"#26323d\" stroke-width=\"0.8\" fill=\"") + (i == 0 ? "#26323d" : "#ffffff") + "\"") + "\n";
+      body_ += rect(
+          page_.left + i * step * page_.scale, y, step * page_.scale, 6,
+          std::string(" stroke=\"#26323d\" stroke-width=\"0.8\" fill=\"") + (i == 0 ? "#26323d" : "#ffffff") + "\"");
     }
     for (int i = 0; i < 3; ++i) {
-      text(page_.left + i * step * page_.scale, y + 19, 10.5, " text-anchor=\"middle\" fill=\"#26323d\"", metres(i * step) + (i == 2 ? " m" : ""));
+      body_ += text(page_.left + i * step * page_.scale, y + 19, 10.5, " text-anchor=\"middle\" fill=\"#26323d\"",
+                    metres(i * step) + (i == 2 ? " m" : ""));
     }
     std::string notes = "grid " + metres(grid_step()) + " m · the paler, the less certain";
     if (std::any_of(shapes_.begin(), shapes_.end(), [](const Shape& s) { return s.kind == Kind::overhead; })) {
       notes += " · dashed: above " + metres(kOverhead) + " m";
     }
-    text(page_.right(), y + 6, 11, " text-anchor=\"end\" fill=\"#7b8791\"", notes);
+    body_ += text(legend_left() + kLegendWidth, y + 19, 11, " text-anchor=\"end\" fill=\"#7b8791\"", notes);
     if (shapes_.empty()) {
-      text(page_.left + page_.width() / 2, page_.top + page_.height() / 2, 15, " text-anchor=\"middle\" fill=\"#6b7780\"", "no planes to draw");
+      body_ += text(page_.left + page_.width() / 2, page_.top + page_.height() / 2, 15,
+                    " text-anchor=\"middle\" fill=\"#6b7780\"", "no planes to draw");
     }
   }
 
   const FloorPlan& plan_;
   std::vector<Shape> shapes_;
+  Legend legend_;
   Page page_;
   std::string body_;
 };

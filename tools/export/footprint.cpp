@@ -8,8 +8,8 @@
 namespace scenelore::exports {
 namespace {
 
-constexpr double kSteepDeg = 60;        // steeper than this, the footprint is a strip: a chair back, a wall
-constexpr double kTolerance = 0.02;     // metres by which a drawn outline may differ from the hull
+constexpr double kSteepDeg = 60;     // steeper than this, the footprint is a strip: a chair back, a wall
+constexpr double kTolerance = 0.02;  // metres by which a drawn outline may differ from the hull
 constexpr std::size_t kMaxCorners = 4000;
 
 bool all_finite(const perception::Ring& ring) {
@@ -157,7 +157,9 @@ bool overlap(const OrientedBox& a, const OrientedBox& b) {
 }
 
 std::optional<Footprint> footprint(const perception::Polygon& hull, double tilt_deg) {
-  if (hull.outer.size() < 3 || !all_finite(hull.outer) || !std::all_of(hull.holes.begin(), hull.holes.end(), all_finite)) return std::nullopt;
+  if (hull.outer.size() < 3 || !all_finite(hull.outer) ||
+      !std::all_of(hull.holes.begin(), hull.holes.end(), all_finite))
+    return std::nullopt;
   if (tilt_deg >= kSteepDeg) return strip_footprint(hull.outer);
   Footprint out;
   out.rings.push_back(simplified(hull.outer));

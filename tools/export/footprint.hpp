@@ -25,10 +25,10 @@ struct OrientedBox {
 
 struct Footprint {
   bool strip = false;
-  std::vector<Ring2> rings;  ///< outer one first, then holes; simplified to 2 cm
-  OrientedBox box;           ///< the smallest rectangle about the outer ring
+  std::vector<Ring2> rings;                          ///< outer one first, then holes; simplified to 2 cm
+  OrientedBox box;                                   ///< the smallest rectangle about the outer ring
   Eigen::Vector2d behind = Eigen::Vector2d::Zero();  ///< for a strip: unit vector away from the seen side
-  double area = 0;           ///< m² on the floor, holes taken off
+  double area = 0;                                   ///< m² on the floor, holes taken off
 };
 
 /// In metres, y up. Nothing for a hull without three corners or with coordinates that are not finite.

@@ -24,7 +24,8 @@ double reach(const OrientedBox& box, const Eigen::Vector2d& direction) {
 
 bool inside_shape(const OrientedBox& box, const Footprint& shape) {
   for (int i = 0; i < 4; ++i) {
-    if (!contains(shape.rings, box.corner(i)) || !contains(shape.rings, (box.corner(i) + box.corner((i + 1) % 4)) / 2)) return false;
+    if (!contains(shape.rings, box.corner(i)) || !contains(shape.rings, (box.corner(i) + box.corner((i + 1) % 4)) / 2))
+      return false;
   }
   return contains(shape.rings, box.center);
 }
@@ -44,7 +45,9 @@ void add_inner_places(const LabelWish& wish, const OrientedBox& text, std::vecto
   }
   // Up and down counts double: names in the middle of a shape's height look centred.
   std::stable_sort(found.begin(), found.end(), [&](const PlacedLabel& a, const PlacedLabel& b) {
-    const auto cost = [&](const PlacedLabel& p) { return (p.box.center - around.center).cwiseProduct(Eigen::Vector2d(1, 2)).squaredNorm(); };
+    const auto cost = [&](const PlacedLabel& p) {
+      return (p.box.center - around.center).cwiseProduct(Eigen::Vector2d(1, 2)).squaredNorm();
+    };
     return cost(a) < cost(b) - 1e-6;
   });
   places.insert(places.end(), found.begin(), found.end());
@@ -72,7 +75,9 @@ void add_outer_places(const OrientedBox& around, const OrientedBox& text, std::v
 void add_strip_places(const LabelWish& wish, const OrientedBox& text, std::vector<PlacedLabel>& places) {
   const OrientedBox& strip = wish.shape.box;
   if (text.half.x() > strip.half.x() * 1.1) return;
-  const Eigen::Vector2d axis = strip.axis.x() < -1e-9 || (std::abs(strip.axis.x()) <= 1e-9 && strip.axis.y() > 0) ? Eigen::Vector2d(-strip.axis) : strip.axis;
+  const Eigen::Vector2d axis = strip.axis.x() < -1e-9 || (std::abs(strip.axis.x()) <= 1e-9 && strip.axis.y() > 0)
+                                   ? Eigen::Vector2d(-strip.axis)
+                                   : strip.axis;
   const double beside = wish.thickness / 2 + text.half.y() + kGap;
   for (const double side : {1.0, -1.0}) {
     for (const double along : {0.0, -0.3, 0.3, -0.6, 0.6}) {
@@ -88,8 +93,10 @@ void add_strip_places(const LabelWish& wish, const OrientedBox& text, std::vecto
 std::vector<PlacedLabel> places_for(const LabelWish& wish, double font_size) {
   const OrientedBox text = text_box(wish.text, font_size);
   std::vector<PlacedLabel> places;
-  if (wish.shape.strip) add_strip_places(wish, text, places);
-  else add_inner_places(wish, text, places);
+  if (wish.shape.strip)
+    add_strip_places(wish, text, places);
+  else
+    add_inner_places(wish, text, places);
   if (wish.keep_inside) return places;
   OrientedBox around = wish.shape.box;
   if (wish.shape.strip) around.half.y() = wish.thickness / 2;
@@ -124,7 +131,8 @@ std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<LabelWish
     // In vain avoided: a thing on which the named one lies.
     const auto over_obstacle = [&](const OrientedBox& box, bool small_only) {
       return std::any_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& o) {
-        return o.wish != i && (o.small || !small_only) && overlap(box, o.box) && (o.small || !holds(o.box, wishes[i].shape.box.center));
+        return o.wish != i && (o.small || !small_only) && overlap(box, o.box) &&
+               (o.small || !holds(o.box, wishes[i].shape.box.center));
       });
     };
     for (const int effort : {2, 1, 0}) {

@@ -13,7 +13,7 @@ namespace scenelore::exports {
 struct LabelWish {
   std::string text;
   Footprint shape;
-  double thickness = 0;     ///< of a strip as drawn
+  double thickness = 0;      ///< of a strip as drawn
   bool keep_inside = false;  ///< no place beside the shape will do
 };
 
@@ -33,9 +33,11 @@ struct LabelArea {
   Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< of the page
 };
 
-/// One entry a wish: where its text goes, nothing where there is no room. Earlier wishes choose first; `obstacles` are avoided where
-/// possible, other labels always.
-[[nodiscard]] std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<LabelWish>& wishes, double font_size,
-                                                                   const std::vector<Obstacle>& obstacles, const LabelArea& area);
+/// One entry a wish: where its text goes, nothing where there is no room. Earlier wishes choose first; `obstacles` are
+/// avoided where possible, other labels always.
+[[nodiscard]] std::vector<std::optional<PlacedLabel>> place_labels(const std::vector<LabelWish>& wishes,
+                                                                   double font_size,
+                                                                   const std::vector<Obstacle>& obstacles,
+                                                                   const LabelArea& area);
 
 }  // namespace scenelore::exports

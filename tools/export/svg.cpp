@@ -39,13 +39,26 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     switch (length == 0 ? '\0' : text[0]) {
-      case '\0': out += '?'; break;
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += text.substr(0, length);
+      case '\0':
+        out += '?';
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += text.substr(0, length);
     }
     text.remove_prefix(length == 0 ? 1 : length);
   }
@@ -56,9 +69,12 @@ double text_width_em(std::string_view text) {
   double width = 0;
   for (const char c : text) {
     if ((static_cast<unsigned char>(c) & 0xc0U) == 0x80U) continue;  // a later byte of one character
-    if (std::string_view("ijlI.,:;|!'()[] tfr").find(c) != std::string_view::npos) width += 0.36;
-    else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) width += 0.92;
-    else width += std::isupper(static_cast<unsigned char>(c)) != 0 ? 0.72 : 0.61;
+    if (std::string_view("ijlI.,:;|!'()[] tfr").find(c) != std::string_view::npos)
+      width += 0.36;
+    else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)
+      width += 0.92;
+    else
+      width += std::isupper(static_cast<unsigned char>(c)) != 0 ? 0.72 : 0.61;
   }
   return width;
 }
@@ -89,10 +105,27 @@ std::string hex(const Color& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.r), std::lround(color.g), std::lround(color.b));
 }
 
+std::string rect(double x, double y, double width, double height, const std::string& style) {
+  return "<rect x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\"" + number(width) + "\" height=\"" +
+         number(height) + "\"" + style + "/>\n";
+}
+
+std::string line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& style,
+                 const std::string& content) {
+  return "<line x1=\"" + number(a.x()) + "\" y1=\"" + number(a.y()) + "\" x2=\"" + number(b.x()) + "\" y2=\"" +
+         number(b.y()) + "\"" + style + ">" + content + "</line>\n";
+}
+
+std::string text(double x, double y, double size, const std::string& style, const std::string& content) {
+  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" font-size=\"" + number(size) + "\"" + style + ">" +
+         escaped(content) + "</text>\n";
+}
+
 std::string path(const std::vector<std::vector<Eigen::Vector2d>>& rings) {
   std::string out;
   for (const auto& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) out += (i == 0 ? "M" : "L") + number(ring[i].x()) + " " + number(ring[i].y());
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      out += (i == 0 ? "M" : "L") + number(ring[i].x()) + " " + number(ring[i].y());
     out += "Z";
   }
   return out;

@@ -26,6 +26,18 @@ struct Color {
 [[nodiscard]] Color mixed(const Color& a, const Color& b, double share_of_b);
 [[nodiscard]] std::string hex(const Color& color);
 
+inline const Color kInk{38, 50, 61}, kWhite{255, 255, 255}, kBlack{0, 0, 0};
+
+/// The shades in which a class colour stands for a floor (a background) and for a wall (cut masonry).
+[[nodiscard]] inline Color floor_color(const Color& color) { return mixed(color, kWhite, 0.82); }
+[[nodiscard]] inline Color wall_color(const Color& color) { return mixed(color, kInk, 0.45); }
+
+// Elements, each on a line; `style` are further attributes, with a blank before each.
+[[nodiscard]] std::string rect(double x, double y, double width, double height, const std::string& style);
+[[nodiscard]] std::string line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& style,
+                               const std::string& content = {});
+[[nodiscard]] std::string text(double x, double y, double size, const std::string& style, const std::string& content);
+
 /// The d attribute of closed rings.
 [[nodiscard]] std::string path(const std::vector<std::vector<Eigen::Vector2d>>& rings);
 

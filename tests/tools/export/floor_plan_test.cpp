@@ -14,8 +14,8 @@
 namespace scenelore::exports {
 namespace {
 
-/// What is wrong with a document as XML, as far as our writer could get it wrong: tags that do not match, quotes, entities,
-/// stray characters. Empty when nothing is.
+/// What is wrong with a document as XML, as far as our writer could get it wrong: tags that do not match, quotes,
+/// entities, stray characters. Empty when nothing is.
 std::string xml_fault(const std::string& text) {
   std::vector<std::string> open;
   std::size_t at = 0;
@@ -34,7 +34,9 @@ std::string xml_fault(const std::string& text) {
       }
       at += piece.size();
     } else if (text[at] == '&') {
-      if (!std::regex_search(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), entity, std::regex_constants::match_continuous)) return "entity";
+      if (!std::regex_search(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), entity,
+                             std::regex_constants::match_continuous))
+        return "entity";
       ++at;
     } else if (text[at] == '>') {
       return "stray >";
@@ -66,7 +68,8 @@ TEST(FloorPlanSvg, WritesAllLengthsWithOneDecimalAtMost) {
   svg = std::regex_replace(svg, std::regex("<title>[^<]*</title>|(opacity|width)=\"[0-9.]*\""), "");
   const std::regex too_precise("[0-9]\\.[0-9]{2}");
   std::smatch match;
-  EXPECT_FALSE(std::regex_search(svg, match, too_precise)) << match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0);
+  EXPECT_FALSE(std::regex_search(svg, match, too_precise))
+      << match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0);
 }
 
 TEST(FloorPlanSvg, EscapesNamesThatAreNoXml) {
@@ -88,7 +91,9 @@ TEST(FloorPlanSvg, LeavesCeilingsOutAndSaysSo) {
 
 TEST(FloorPlanSvg, DrawsFromTheBottomUp) {
   RoomMaker room;
-  room.flat("upper", "#ff0000", 0, 0, 1, 1, 1.2).flat("lower", "#00ff00", 0, 0, 1, 1, 0.4).flat("floor", "#0000ff", 0, 0, 4, 4, 0);
+  room.flat("upper", "#ff0000", 0, 0, 1, 1, 1.2)
+      .flat("lower", "#00ff00", 0, 0, 1, 1, 0.4)
+      .flat("floor", "#0000ff", 0, 0, 4, 4, 0);
   room.flat("middle", "#ffff00", 0, 0, 1, 1, 0.8).steep("wall", "#888888", 2, 2, -2, 2, 0, 2.5);
   const std::string svg = floor_plan_svg(room.plan);
   const auto drawn = [&](const std::string& name) { return svg.find("<title>" + name); };
@@ -100,7 +105,8 @@ TEST(FloorPlanSvg, DrawsFromTheBottomUp) {
 
 TEST(FloorPlanSvg, NamesAndCountsTheObjects) {
   const std::string svg = floor_plan_svg(office());
-  for (const char* name : {">table 11<", ">table 16<", ">table 21<", ">door 7<", ">flat screen 12<", ">keyboard 13<", ">wall 3<"}) {
+  for (const char* name :
+       {">table 11<", ">table 16<", ">table 21<", ">door 7<", ">flat screen 12<", ">keyboard 13<", ">wall 3<"}) {
     EXPECT_EQ(count(svg, name), 1U) << name;
   }
   EXPECT_EQ(count(svg, ">shelf 27–31<"), 1U) << "boards over one another share a name";
@@ -130,7 +136,11 @@ TEST(FloorPlanSvg, SurvivesPlansThatHoldNothingToDraw) {
                 {.hull = {{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}, {}}, .class_name = "a point"}};
   EXPECT_EQ(xml_fault(floor_plan_svg(plan)), "");
   EXPECT_NE(floor_plan_svg(plan).find("no planes to draw"), std::string::npos);
-  plan.items.push_back({.hull = {{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}, {}}, .class_name = "a pole", .probability = nan, .tilt_deg = 90, .height = nan});
+  plan.items.push_back({.hull = {{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}, {}},
+                        .class_name = "a pole",
+                        .probability = nan,
+                        .tilt_deg = 90,
+                        .height = nan});
   EXPECT_EQ(xml_fault(floor_plan_svg(plan)), "");
 }
 
@@ -169,7 +179,8 @@ TEST(Footprint, MakesAStripOfAWallAndKnowsItsBack) {
   EXPECT_TRUE(print->strip);
   EXPECT_NEAR(print->box.half.x(), 3.6, 1e-9);
   EXPECT_NEAR(print->box.half.y(), 0, 1e-9);
-  const Eigen::Vector2d outwards(std::sin(30 * 3.14159265358979323846 / 180), -std::cos(30 * 3.14159265358979323846 / 180));
+  const Eigen::Vector2d outwards(std::sin(30 * 3.14159265358979323846 / 180),
+                                 -std::cos(30 * 3.14159265358979323846 / 180));
   EXPECT_GT(print->behind.dot(outwards), 0.999);
 }
 
@@ -179,15 +190,19 @@ TEST(Footprint, DropsCornersThatNobodyWouldSee) {
   const auto print = footprint(hull, 0);
   ASSERT_TRUE(print);
   EXPECT_LT(print->rings[0].size(), 40U);
-  EXPECT_NEAR(print->area, 3.14159, 0.0838) << "an inscribed polygon with arrows of 2 cm lacks two thirds of that along its circumference";
+  EXPECT_NEAR(print->area, 3.14159, 0.0838)
+      << "an inscribed polygon with arrows of 2 cm lacks two thirds of that along its circumference";
 }
 
 TEST(OrientedBox, OverlapsAgreeWithSampledPoints) {
   std::mt19937_64 random(7);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11U) / 9007199254740992.0; };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11U) / 9007199254740992.0;
+  };
   const auto box = [&] {
     const double angle = uniform(0, 6.3);
-    return OrientedBox{{uniform(-2, 2), uniform(-2, 2)}, {std::cos(angle), std::sin(angle)}, {uniform(0.2, 1.5), uniform(0.2, 1.0)}};
+    return OrientedBox{
+        {uniform(-2, 2), uniform(-2, 2)}, {std::cos(angle), std::sin(angle)}, {uniform(0.2, 1.5), uniform(0.2, 1.0)}};
   };
   int together = 0, apart = 0;
   for (int round = 0; round < 400; ++round) {
@@ -195,9 +210,11 @@ TEST(OrientedBox, OverlapsAgreeWithSampledPoints) {
     bool shared = false;  // some point of a, on a fine grid, lies well within b
     for (int i = -50; i <= 50 && !shared; ++i) {
       for (int j = -50; j <= 50 && !shared; ++j) {
-        const Eigen::Vector2d p = a.center + a.axis * a.half.x() * i / 50.0 + Eigen::Vector2d(-a.axis.y(), a.axis.x()) * a.half.y() * j / 50.0;
+        const Eigen::Vector2d p = a.center + a.axis * a.half.x() * i / 50.0 +
+                                  Eigen::Vector2d(-a.axis.y(), a.axis.x()) * a.half.y() * j / 50.0;
         const Eigen::Vector2d d = p - b.center;
-        shared = std::abs(d.dot(b.axis)) < b.half.x() - 1e-9 && std::abs(d.dot(Eigen::Vector2d(-b.axis.y(), b.axis.x()))) < b.half.y() - 1e-9;
+        shared = std::abs(d.dot(b.axis)) < b.half.x() - 1e-9 &&
+                 std::abs(d.dot(Eigen::Vector2d(-b.axis.y(), b.axis.x()))) < b.half.y() - 1e-9;
       }
     }
     if (shared) {
@@ -214,7 +231,9 @@ TEST(OrientedBox, OverlapsAgreeWithSampledPoints) {
 
 TEST(PlaceLabels, NeverPutsANameOverANameOrOffThePage) {
   std::mt19937_64 random(11);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11U) / 9007199254740992.0; };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11U) / 9007199254740992.0;
+  };
   std::size_t with_room = 0;
   for (int round = 0; round < 20; ++round) {
     std::vector<LabelWish> wishes;
@@ -223,10 +242,13 @@ TEST(PlaceLabels, NeverPutsANameOverANameOrOffThePage) {
       wish.text = "object " + std::to_string(i);
       const double angle = uniform(0, 6.3);
       wish.shape.strip = i % 3 == 0;
-      wish.shape.box = {{uniform(50, 750), uniform(50, 550)}, {std::cos(angle), std::sin(angle)}, {uniform(5, 90), uniform(3, 40)}};
+      wish.shape.box = {
+          {uniform(50, 750), uniform(50, 550)}, {std::cos(angle), std::sin(angle)}, {uniform(5, 90), uniform(3, 40)}};
       wish.shape.behind = {-wish.shape.box.axis.y(), wish.shape.box.axis.x()};
       wish.thickness = 6;
-      if (!wish.shape.strip) wish.shape.rings = {{wish.shape.box.corner(0), wish.shape.box.corner(1), wish.shape.box.corner(2), wish.shape.box.corner(3)}};
+      if (!wish.shape.strip)
+        wish.shape.rings = {
+            {wish.shape.box.corner(0), wish.shape.box.corner(1), wish.shape.box.corner(2), wish.shape.box.corner(3)}};
       wishes.push_back(wish);
     }
     const auto placed = place_labels(wishes, 11, {}, {{0, 0}, {800, 600}});
@@ -248,7 +270,8 @@ TEST(PlaceLabels, PutsANameIntoWhatIsLargeEnough) {
   LabelWish wish;
   wish.text = "table 1";
   wish.shape.box = {{100, 100}, {1, 0}, {60, 30}};
-  wish.shape.rings = {{wish.shape.box.corner(0), wish.shape.box.corner(1), wish.shape.box.corner(2), wish.shape.box.corner(3)}};
+  wish.shape.rings = {
+      {wish.shape.box.corner(0), wish.shape.box.corner(1), wish.shape.box.corner(2), wish.shape.box.corner(3)}};
   const auto placed = place_labels({wish}, 11, {}, {{0, 0}, {200, 200}});
   ASSERT_TRUE(placed[0]);
   EXPECT_LT((placed[0]->box.center - Eigen::Vector2d(100, 100)).norm(), 1e-9);
