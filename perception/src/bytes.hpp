@@ -24,20 +24,31 @@ inline void store(std::byte* at, T value) {
   std::memcpy(at, &value, sizeof value);
 }
 
-/// Calls f with a value-initialised T of the given scalar type: from a type known at run time to one known at compile time.
+/// Calls f with a value-initialised T of the given scalar type: from a type known at run time to one known at compile
+/// time.
 template <class F>
 decltype(auto) with_type(ScalarType type, F&& f) {
   switch (type) {
-    case ScalarType::i8: return f(std::int8_t{});
-    case ScalarType::u8: return f(std::uint8_t{});
-    case ScalarType::i16: return f(std::int16_t{});
-    case ScalarType::u16: return f(std::uint16_t{});
-    case ScalarType::i32: return f(std::int32_t{});
-    case ScalarType::u32: return f(std::uint32_t{});
-    case ScalarType::i64: return f(std::int64_t{});
-    case ScalarType::u64: return f(std::uint64_t{});
-    case ScalarType::f32: return f(float{});
-    case ScalarType::f64: break;
+    case ScalarType::i8:
+      return f(std::int8_t{});
+    case ScalarType::u8:
+      return f(std::uint8_t{});
+    case ScalarType::i16:
+      return f(std::int16_t{});
+    case ScalarType::u16:
+      return f(std::uint16_t{});
+    case ScalarType::i32:
+      return f(std::int32_t{});
+    case ScalarType::u32:
+      return f(std::uint32_t{});
+    case ScalarType::i64:
+      return f(std::int64_t{});
+    case ScalarType::u64:
+      return f(std::uint64_t{});
+    case ScalarType::f32:
+      return f(float{});
+    case ScalarType::f64:
+      break;
   }
   return f(double{});
 }

@@ -26,14 +26,15 @@ Axes coordinate_columns(const PointTable& table, const std::string& source_name)
     const char lower[] = {static_cast<char>('x' + axis), 0}, upper[] = {static_cast<char>('X' + axis), 0};
     axes[axis] = table.find(lower) != nullptr ? table.find(lower) : table.find(upper);
     if (axes[axis] == nullptr) {
-      throw Error(source_name + ": no property '" + lower + "'; a scan needs x, y and z (properties found: " + names_of(table) + ")");
+      throw Error(source_name + ": no property '" + lower +
+                  "'; a scan needs x, y and z (properties found: " + names_of(table) + ")");
     }
   }
   return axes;
 }
 
-/// The median coordinate of each axis, over the finite ones of some thousand rows spread evenly: a few wild points far off must
-/// not move it. Zero where nothing is finite.
+/// The median coordinate of each axis, over the finite ones of some thousand rows spread evenly: a few wild points far
+/// off must not move it. Zero where nothing is finite.
 Eigen::Vector3d typical_position(const PointTable& table, const Axes& axes) {
   const std::size_t step = std::max<std::size_t>(1, table.rows / 4096);
   Eigen::Vector3d typical = Eigen::Vector3d::Zero();
@@ -52,8 +53,9 @@ Eigen::Vector3d typical_position(const PointTable& table, const Axes& axes) {
   return typical;
 }
 
-/// Zero as long as float offsets from zero are good to 0.03 mm (float sources: they are the very values of the file below 1 km,
-/// double sources: below 100 m are good to 4 µm); else the typical position in whole metres, from which they are good again.
+/// Zero as long as float offsets from zero are good to 0.03 mm (float sources: they are the very values of the file
+/// below 1 km, double sources: below 100 m are good to 4 µm); else the typical position in whole metres, from which
+/// they are good again.
 Eigen::Vector3d choose_origin(const PointTable& table, const Axes& axes) {
   const bool wide = std::any_of(axes.begin(), axes.end(), [](const Column* c) { return size_of(c->type) > 4; });
   const Eigen::Vector3d typical = typical_position(table, axes);
@@ -84,9 +86,12 @@ void take_offsets_of(const PointTable& table, const Axes& axes, Cloud& cloud) {
   const std::array<std::size_t, 3> offsets{axes[0]->offset, axes[1]->offset, axes[2]->offset};
   const std::byte* const bytes = table.bytes.data();
   const std::size_t stride = table.stride;
-  take_offsets(table.rows, [=](std::size_t row, std::size_t axis) {
-    return static_cast<double>(load<X>(bytes + row * stride + offsets[axis]));
-  }, cloud);
+  take_offsets(
+      table.rows,
+      [=](std::size_t row, std::size_t axis) {
+        return static_cast<double>(load<X>(bytes + row * stride + offsets[axis]));
+      },
+      cloud);
 }
 
 }  // namespace
@@ -102,7 +107,8 @@ Cloud to_cloud(const PointTable& table, const std::string& source_name) {
   if (axes[1]->type == type && axes[2]->type == type) {
     with_type(type, [&](auto zero) { take_offsets_of<decltype(zero)>(table, axes, cloud); });
   } else {
-    take_offsets(table.rows, [&](std::size_t row, std::size_t axis) { return table.value(*axes[axis], row); }, cloud);
+    take_offsets(
+        table.rows, [&](std::size_t row, std::size_t axis) { return table.value(*axes[axis], row); }, cloud);
   }
   if (cloud.invalid == cloud.size()) {
     throw Error(source_name + ": none of the " + std::to_string(table.rows) + " points has finite coordinates");

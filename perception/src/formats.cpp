@@ -7,7 +7,8 @@ namespace scenelore::perception {
 
 std::string text_hint(std::string_view body) {
   const std::string_view start = body.substr(0, 256);
-  const bool printable = std::all_of(start.begin(), start.end(), [](char c) { return (c >= 0x20 && c < 0x7f) || (c >= '\t' && c <= '\r'); });
+  const bool printable = std::all_of(start.begin(), start.end(),
+                                     [](char c) { return (c >= 0x20 && c < 0x7f) || (c >= '\t' && c <= '\r'); });
   return start.size() >= 32 && printable ? "; its points look like text, but the header says binary" : "";
 }
 

@@ -1,5 +1,5 @@
-// The point formats behind read_points and write_points: one reader and one writer each. A reader throws Error; it is given the
-// name by which to call the file.
+// The point formats behind read_points and write_points: one reader and one writer each. A reader throws Error; it is
+// given the name by which to call the file.
 #pragma once
 
 #include <string>

@@ -26,9 +26,9 @@ class Lines {
     return line;
   }
 
-  [[nodiscard]] std::size_t number() const { return number_; }      ///< of the line last given, from 1
-  [[nodiscard]] std::size_t position() const { return at_; }        ///< bytes up to the next line
-  [[nodiscard]] bool terminated() const { return terminated_; }     ///< whether the line last given had an end
+  [[nodiscard]] std::size_t number() const { return number_; }   ///< of the line last given, from 1
+  [[nodiscard]] std::size_t position() const { return at_; }     ///< bytes up to the next line
+  [[nodiscard]] bool terminated() const { return terminated_; }  ///< whether the line last given had an end
 
  private:
   std::string_view text_;

@@ -75,7 +75,8 @@ void MappedFile::move_to(std::size_t first, std::size_t last, std::vector<std::b
   constexpr std::size_t kChunk = std::size_t{8} << 20;
   while (first < last) {
     const std::size_t end = std::min(last, (first / kChunk + 1) * kChunk);  // chunks begin on page boundaries
-    out.insert(out.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(first), bytes_.begin() + static_cast<std::ptrdiff_t>(end));
+    out.insert(out.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(first),
+               bytes_.begin() + static_cast<std::ptrdiff_t>(end));
     if (mapping_ != nullptr) {
       const std::size_t page = first / kChunk * kChunk;
       ::madvise(static_cast<std::byte*>(mapping_) + page, end - page, MADV_DONTNEED);  // a hint: still readable

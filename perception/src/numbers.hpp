@@ -16,8 +16,8 @@ namespace scenelore::perception {
 /// A whole number of at most 18 digits, not negative: a count.
 [[nodiscard]] std::optional<std::size_t> parse_count(std::string_view token);
 
-/// Writes the token as a scalar of this type. False when it is no number of the type: not a number at all, a fraction for
-/// a whole type, or out of its range. "255.0" is a whole number.
+/// Writes the token as a scalar of this type. False when it is no number of the type: not a number at all, a fraction
+/// for a whole type, or out of its range. "255.0" is a whole number.
 [[nodiscard]] bool parse_scalar(std::string_view token, ScalarType type, std::byte* to);
 
 }  // namespace scenelore::perception

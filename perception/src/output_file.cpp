@@ -35,7 +35,8 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
     for (int attempt = 0; fd_ < 0; ++attempt) {
       temporary_ = target_;
       temporary_ += ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-      fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, exists ? status.st_mode & 0777U : 0666U);
+      fd_ =
+          ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, exists ? status.st_mode & 0777U : 0666U);
       if (fd_ < 0 && errno != EEXIST) fail("cannot be written");
     }
   }
@@ -56,7 +57,8 @@ void OutputFile::write(std::span<const std::byte> bytes) {
 
 void OutputFile::commit() {
   flush();
-  // A pipe or a device cannot be synchronised and says so; for a regular file it is here that a full disk shows at the latest.
+  // A pipe or a device cannot be synchronised and says so; for a regular file it is here that a full disk shows at the
+  // latest.
   if (::fsync(fd_) != 0 && !temporary_.empty()) fail("cannot be written");
   const int closed = ::close(fd_);
   fd_ = -1;

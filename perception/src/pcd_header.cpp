@@ -19,11 +19,16 @@ std::optional<ScalarType> scalar_type(std::string_view letter, std::size_t size)
   if (letter != "I" && letter != "U") return std::nullopt;
   const bool is_signed = letter == "I";
   switch (size) {
-    case 1: return is_signed ? ScalarType::i8 : ScalarType::u8;
-    case 2: return is_signed ? ScalarType::i16 : ScalarType::u16;
-    case 4: return is_signed ? ScalarType::i32 : ScalarType::u32;
-    case 8: return is_signed ? ScalarType::i64 : ScalarType::u64;
-    default: return std::nullopt;
+    case 1:
+      return is_signed ? ScalarType::i8 : ScalarType::u8;
+    case 2:
+      return is_signed ? ScalarType::i16 : ScalarType::u16;
+    case 4:
+      return is_signed ? ScalarType::i32 : ScalarType::u32;
+    case 8:
+      return is_signed ? ScalarType::i64 : ScalarType::u64;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -105,10 +110,14 @@ class HeaderParser {
 
   void take_encoding(const Words& values) {
     const std::string_view name = values.size() == 1 ? values[0] : "";
-    if (name == "ascii") header_.encoding = PcdEncoding::ascii;
-    else if (name == "binary") header_.encoding = PcdEncoding::binary;
-    else if (name == "binary_compressed") header_.encoding = PcdEncoding::binary_compressed;
-    else fail("unknown DATA '" + printable(name) + "' (known: ascii, binary, binary_compressed)");
+    if (name == "ascii")
+      header_.encoding = PcdEncoding::ascii;
+    else if (name == "binary")
+      header_.encoding = PcdEncoding::binary;
+    else if (name == "binary_compressed")
+      header_.encoding = PcdEncoding::binary_compressed;
+    else
+      fail("unknown DATA '" + printable(name) + "' (known: ascii, binary, binary_compressed)");
   }
 
   PcdHeader finish() {
@@ -130,8 +139,11 @@ class HeaderParser {
     std::size_t columns = 0;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const auto type = scalar_type(types_[i], sizes_[i]);
-      if (!type) fail("field '" + printable(names_[i]) + "': there is no type " + printable(types_[i]) + " of " + std::to_string(sizes_[i]) + " bytes");
-      if (names_[i] != "_" && !seen.insert(names_[i]).second) fail("field '" + printable(names_[i]) + "' appears twice");
+      if (!type)
+        fail("field '" + printable(names_[i]) + "': there is no type " + printable(types_[i]) + " of " +
+             std::to_string(sizes_[i]) + " bytes");
+      if (names_[i] != "_" && !seen.insert(names_[i]).second)
+        fail("field '" + printable(names_[i]) + "' appears twice");
       if (counts_[i] > kMaxColumns || (columns += counts_[i]) > kMaxColumns) {
         fail("more than " + std::to_string(kMaxColumns) + " values a point");
       }
@@ -141,7 +153,8 @@ class HeaderParser {
 
   void check_length(const char* keyword, std::size_t length) const {
     if (length != names_.size()) {
-      fail(std::string(keyword) + " has " + std::to_string(length) + " entries for " + std::to_string(names_.size()) + " fields");
+      fail(std::string(keyword) + " has " + std::to_string(length) + " entries for " + std::to_string(names_.size()) +
+           " fields");
     }
   }
 
@@ -152,8 +165,8 @@ class HeaderParser {
     }
     std::size_t product = 0;
     if (__builtin_mul_overflow(*width_, height_.value_or(1), &product) || (points_ && *points_ != product)) {
-      fail("WIDTH " + std::to_string(*width_) + " times HEIGHT " + std::to_string(height_.value_or(1)) + " is not POINTS " +
-           std::to_string(points_.value_or(product)));
+      fail("WIDTH " + std::to_string(*width_) + " times HEIGHT " + std::to_string(height_.value_or(1)) +
+           " is not POINTS " + std::to_string(points_.value_or(product)));
     }
     return product;
   }

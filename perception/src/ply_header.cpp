@@ -15,10 +15,22 @@ namespace {
 
 // The first name of each type is the one of Turk's original description, which every reader knows.
 constexpr std::array<std::pair<std::string_view, ScalarType>, 16> kTypeNames{{
-    {"char", ScalarType::i8},      {"int8", ScalarType::i8},     {"uchar", ScalarType::u8},   {"uint8", ScalarType::u8},
-    {"short", ScalarType::i16},    {"int16", ScalarType::i16},   {"ushort", ScalarType::u16}, {"uint16", ScalarType::u16},
-    {"int", ScalarType::i32},      {"int32", ScalarType::i32},   {"uint", ScalarType::u32},   {"uint32", ScalarType::u32},
-    {"float", ScalarType::f32},    {"float32", ScalarType::f32}, {"double", ScalarType::f64}, {"float64", ScalarType::f64},
+    {"char", ScalarType::i8},
+    {"int8", ScalarType::i8},
+    {"uchar", ScalarType::u8},
+    {"uint8", ScalarType::u8},
+    {"short", ScalarType::i16},
+    {"int16", ScalarType::i16},
+    {"ushort", ScalarType::u16},
+    {"uint16", ScalarType::u16},
+    {"int", ScalarType::i32},
+    {"int32", ScalarType::i32},
+    {"uint", ScalarType::u32},
+    {"uint32", ScalarType::u32},
+    {"float", ScalarType::f32},
+    {"float32", ScalarType::f32},
+    {"double", ScalarType::f64},
+    {"float64", ScalarType::f64},
 }};
 
 constexpr std::size_t kMaxProperties = 4096;  // far above any scanner's; keeps the search for doubles cheap
@@ -66,10 +78,14 @@ class HeaderParser {
 
   void take_format(std::string_view rest) {
     const std::string_view name = take_word(rest), version = take_word(rest);
-    if (name == "ascii") header_.format = PlyFormat::ascii;
-    else if (name == "binary_little_endian") header_.format = PlyFormat::binary_little_endian;
-    else if (name == "binary_big_endian") header_.format = PlyFormat::binary_big_endian;
-    else fail("unknown format '" + printable(name) + "' (known: ascii, binary_little_endian, binary_big_endian)");
+    if (name == "ascii")
+      header_.format = PlyFormat::ascii;
+    else if (name == "binary_little_endian")
+      header_.format = PlyFormat::binary_little_endian;
+    else if (name == "binary_big_endian")
+      header_.format = PlyFormat::binary_big_endian;
+    else
+      fail("unknown format '" + printable(name) + "' (known: ascii, binary_little_endian, binary_big_endian)");
     if (version != "1.0") fail("PLY version '" + printable(version) + "' (known: 1.0)");
     if (std::exchange(has_format_, true)) fail("a second line 'format'");
   }
@@ -78,7 +94,8 @@ class HeaderParser {
     const std::string_view name = take_word(rest), number = take_word(rest);
     const auto count = parse_count(number);
     if (name.empty() || !count) {
-      fail("an element needs a name and a number of rows, found '" + printable(name) + "' and '" + printable(number) + "'");
+      fail("an element needs a name and a number of rows, found '" + printable(name) + "' and '" + printable(number) +
+           "'");
     }
     for (const PlyElement& element : header_.elements) {
       if (element.name == name) fail("element '" + printable(name) + "' appears twice");
@@ -102,9 +119,11 @@ class HeaderParser {
     if (property.name.empty()) fail("a property without a name");
     PlyElement& element = header_.elements.back();
     for (const PlyProperty& other : element.properties) {
-      if (other.name == property.name) fail("property '" + printable(property.name) + "' appears twice in element '" + element.name + "'");
+      if (other.name == property.name)
+        fail("property '" + printable(property.name) + "' appears twice in element '" + element.name + "'");
     }
-    if (element.properties.size() == kMaxProperties) fail("more than " + std::to_string(kMaxProperties) + " properties in one element");
+    if (element.properties.size() == kMaxProperties)
+      fail("more than " + std::to_string(kMaxProperties) + " properties in one element");
     element.properties.push_back(std::move(property));
   }
 
@@ -136,7 +155,8 @@ class HeaderParser {
 }  // namespace
 
 bool PlyElement::has_list() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list_count.has_value(); });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const PlyProperty& p) { return p.list_count.has_value(); });
 }
 
 std::size_t PlyElement::row_size() const {

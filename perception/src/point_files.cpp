@@ -10,7 +10,8 @@ namespace {
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
 
@@ -19,9 +20,11 @@ void check_columns(const std::string& name, const PointTable& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string& column = table.columns[i].name;
     if (column.empty() || column.find_first_of(" \t\r\n\v\f,") != std::string::npos) {
-      throw Error(name + ": '" + printable(column) + "' cannot name a column in a point file (blank, comma or nothing)");
+      throw Error(name + ": '" + printable(column) +
+                  "' cannot name a column in a point file (blank, comma or nothing)");
     }
-    if (table.find(column) != &table.columns[i]) throw Error(name + ": two columns are named '" + printable(column) + "'");
+    if (table.find(column) != &table.columns[i])
+      throw Error(name + ": two columns are named '" + printable(column) + "'");
   }
 }
 
@@ -49,7 +52,8 @@ PointTable read_points(const std::filesystem::path& path) {
   if (looks_like_ply(text)) return read_ply(file, name);
   if (looks_like_pcd(text)) return read_pcd(file, name);
   if (const char* const format = foreign_format(text)) {
-    throw Error(name + " is " + format + " file; PLY, PCD and text point files can be read: convert it, for instance with CloudCompare");
+    throw Error(name + " is " + format +
+                " file; PLY, PCD and text point files can be read: convert it, for instance with CloudCompare");
   }
   if (extension == ".ply") return read_ply(file, name);
   if (extension == ".pcd") return read_pcd(file, name);
@@ -61,7 +65,10 @@ PointTable read_points(const std::filesystem::path& path) {
 void write_points(const std::filesystem::path& path, const PointTable& table) {
   const std::string extension = lower_extension(path), name = path.string();
   check_columns(name, table);
-  const auto writer = extension == ".ply" ? &write_ply : extension == ".pcd" ? &write_pcd : extension == ".csv" ? &write_csv : nullptr;
+  const auto writer = extension == ".ply"   ? &write_ply
+                      : extension == ".pcd" ? &write_pcd
+                      : extension == ".csv" ? &write_csv
+                                            : nullptr;
   if (writer == nullptr) throw Error(name + ": the name must end in .ply, .pcd or .csv to tell the format");
   OutputFile out(path);
   writer(out, table);

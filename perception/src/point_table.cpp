@@ -11,9 +11,12 @@ namespace {
 
 template <class T>
 constexpr ScalarType type_of() {
-  if constexpr (std::is_same_v<T, std::int32_t>) return ScalarType::i32;
-  else if constexpr (std::is_same_v<T, float>) return ScalarType::f32;
-  else return ScalarType::u8;
+  if constexpr (std::is_same_v<T, std::int32_t>)
+    return ScalarType::i32;
+  else if constexpr (std::is_same_v<T, float>)
+    return ScalarType::f32;
+  else
+    return ScalarType::u8;
 }
 
 /// The table with one more column at the end; its bytes are zero.
@@ -47,7 +50,8 @@ void drop_column(PointTable& table, std::size_t index) {
 template <class T>
 void set_values(PointTable& table, const std::string& name, std::span<const T> values) {
   if (values.size() != table.rows) {
-    throw Error("column '" + name + "': " + std::to_string(values.size()) + " values for " + std::to_string(table.rows) + " points");
+    throw Error("column '" + name + "': " + std::to_string(values.size()) + " values for " +
+                std::to_string(table.rows) + " points");
   }
   const auto known = [&] {
     return std::find_if(table.columns.begin(), table.columns.end(), [&](const Column& c) { return c.name == name; });
@@ -59,7 +63,8 @@ void set_values(PointTable& table, const std::string& name, std::span<const T> v
   }
   if (column == table.columns.end()) append_column(table, name, type_of<T>());
   column = known();
-  for (std::size_t row = 0; row < table.rows; ++row) store(table.bytes.data() + row * table.stride + column->offset, values[row]);
+  for (std::size_t row = 0; row < table.rows; ++row)
+    store(table.bytes.data() + row * table.stride + column->offset, values[row]);
 }
 
 }  // namespace
@@ -75,8 +80,12 @@ double PointTable::value(const Column& column, std::size_t row) const {
   return with_type(column.type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(at)); });
 }
 
-void PointTable::set_column(const std::string& name, std::span<const std::int32_t> values) { set_values(*this, name, values); }
+void PointTable::set_column(const std::string& name, std::span<const std::int32_t> values) {
+  set_values(*this, name, values);
+}
 void PointTable::set_column(const std::string& name, std::span<const float> values) { set_values(*this, name, values); }
-void PointTable::set_column(const std::string& name, std::span<const std::uint8_t> values) { set_values(*this, name, values); }
+void PointTable::set_column(const std::string& name, std::span<const std::uint8_t> values) {
+  set_values(*this, name, values);
+}
 
 }  // namespace scenelore::perception

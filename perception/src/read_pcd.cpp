@@ -31,9 +31,12 @@ class PcdReader {
   }
 
   PointTable read() && {
-    if (header_.encoding == PcdEncoding::ascii) read_ascii();
-    else if (header_.encoding == PcdEncoding::binary) read_binary();
-    else read_compressed();
+    if (header_.encoding == PcdEncoding::ascii)
+      read_ascii();
+    else if (header_.encoding == PcdEncoding::binary)
+      read_binary();
+    else
+      read_compressed();
     table_.rows = header_.points;
     return std::move(table_);
   }
@@ -48,8 +51,10 @@ class PcdReader {
     }
     const std::size_t end = header_.body + header_.points * stride_in_file_;
     table_.bytes.reserve(header_.points * table_.stride);
-    if (stride_in_file_ == table_.stride) file_.move_to(header_.body, end, table_.bytes);
-    else drop_padding();
+    if (stride_in_file_ == table_.stride)
+      file_.move_to(header_.body, end, table_.bytes);
+    else
+      drop_padding();
     check_nothing_follows(file_.text().substr(end), "byte " + std::to_string(end));
   }
 
@@ -70,16 +75,19 @@ class PcdReader {
     if (body.size() < 8) fail_truncated(0, "");
     const std::size_t packed = load<std::uint32_t>(body.data()), unpacked = load<std::uint32_t>(body.data() + 4);
     if (packed > body.size() - 8) {
-      throw Error(name_ + ": the file is cut off: " + std::to_string(body.size() - 8) + " of " + std::to_string(packed) +
-                  " compressed bytes are there; the file ends at byte " + std::to_string(file_.bytes().size()));
+      throw Error(name_ + ": the file is cut off: " + std::to_string(body.size() - 8) + " of " +
+                  std::to_string(packed) + " compressed bytes are there; the file ends at byte " +
+                  std::to_string(file_.bytes().size()));
     }
     const bool with_padding = holds(unpacked, stride_in_file_);
     if (!with_padding && !holds(unpacked, table_.stride)) {
-      throw Error(name_ + ", byte " + std::to_string(header_.body) + ": " + std::to_string(unpacked) + " bytes are not the " +
-                  std::to_string(header_.points) + " points of " + std::to_string(stride_in_file_) + " bytes that the header promises");
+      throw Error(name_ + ", byte " + std::to_string(header_.body) + ": " + std::to_string(unpacked) +
+                  " bytes are not the " + std::to_string(header_.points) + " points of " +
+                  std::to_string(stride_in_file_) + " bytes that the header promises");
     }
     scatter(unpack(body.subspan(8, packed), unpacked), with_padding);
-    check_nothing_follows(file_.text().substr(header_.body + 8 + packed), "byte " + std::to_string(header_.body + 8 + packed));
+    check_nothing_follows(file_.text().substr(header_.body + 8 + packed),
+                          "byte " + std::to_string(header_.body + 8 + packed));
   }
 
   [[nodiscard]] bool holds(std::size_t bytes, std::size_t stride) const {
@@ -92,7 +100,9 @@ class PcdReader {
     if (size > packed.size() * 100) fail_unpack();
     if (size == 0) return out;
     out.resize(size);
-    if (lzf_decompress(packed.data(), static_cast<unsigned>(packed.size()), out.data(), static_cast<unsigned>(size)) != size) fail_unpack();
+    if (lzf_decompress(packed.data(), static_cast<unsigned>(packed.size()), out.data(), static_cast<unsigned>(size)) !=
+        size)
+      fail_unpack();
     return out;
   }
 
@@ -104,7 +114,8 @@ class PcdReader {
       const std::size_t size = field.size();
       if (!field.padding()) {
         std::byte* to = table_.bytes.data() + offset;
-        for (std::size_t row = 0; row < header_.points; ++row, to += table_.stride) std::memcpy(to, at + row * size, size);
+        for (std::size_t row = 0; row < header_.points; ++row, to += table_.stride)
+          std::memcpy(to, at + row * size, size);
         offset += size;
       }
       if (!field.padding() || with_padding) at += header_.points * size;
@@ -123,7 +134,8 @@ class PcdReader {
       const std::string_view text = trimmed(*line);
       if (text.empty() || text.starts_with('#')) continue;
       if (rows++ == header_.points) {
-        fail_at(header_.lines + lines.number(), "more lines than the " + std::to_string(header_.points) + " points of the header");
+        fail_at(header_.lines + lines.number(),
+                "more lines than the " + std::to_string(header_.points) + " points of the header");
       }
       take_row(text, header_.lines + lines.number());
     }
@@ -158,8 +170,9 @@ class PcdReader {
   }
 
   [[noreturn]] void fail_truncated(std::size_t present, const std::string& hint) const {
-    throw Error(name_ + ": the file is cut off: " + std::to_string(present) + " of the " + std::to_string(header_.points) +
-                " points that the header promises are there; the file ends at byte " + std::to_string(file_.bytes().size()) + hint);
+    throw Error(name_ + ": the file is cut off: " + std::to_string(present) + " of the " +
+                std::to_string(header_.points) + " points that the header promises are there; the file ends at byte " +
+                std::to_string(file_.bytes().size()) + hint);
   }
   [[noreturn]] void fail_unpack() const {
     throw Error(name_ + ", byte " + std::to_string(header_.body + 8) + ": the compressed points are damaged");

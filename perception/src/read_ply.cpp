@@ -33,7 +33,8 @@ class PlyReader {
     }
     for (const PlyProperty& property : vertex->properties) {
       if (property.list_count) {
-        throw Error(name_ + ": property '" + printable(property.name) + "' of the points is a list; points with lists cannot be read, "
+        throw Error(name_ + ": property '" + printable(property.name) +
+                    "' of the points is a list; points with lists cannot be read, "
                     "write the file without this property");
       }
       add_column(table_, property.name, property.type);
@@ -41,14 +42,17 @@ class PlyReader {
   }
 
   PointTable read() && {
-    if (header_.format == PlyFormat::ascii) read_ascii();
-    else read_binary();
+    if (header_.format == PlyFormat::ascii)
+      read_ascii();
+    else
+      read_binary();
     if (!table_.viewpoint && camera_.allFinite() && !camera_.isZero(0)) table_.viewpoint = camera_;
     return std::move(table_);
   }
 
  private:
-  /// The Point Cloud Library's writer tells the sensor's position in an element 'camera'; 0 0 0 when it does not know it.
+  /// The Point Cloud Library's writer tells the sensor's position in an element 'camera'; 0 0 0 when it does not know
+  /// it.
   void note_camera(const PlyProperty& property, double value) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       if (property.name == kCameraNames[axis]) camera_[axis] = value;
@@ -60,9 +64,12 @@ class PlyReader {
   void read_binary() {
     at_ = header_.body;
     for (const PlyElement& element : header_.elements) {
-      if (element.name == "vertex") take_vertices(element);
-      else if (element.has_list()) skip_lists(element);
-      else skip_rows(element);
+      if (element.name == "vertex")
+        take_vertices(element);
+      else if (element.has_list())
+        skip_lists(element);
+      else
+        skip_rows(element);
     }
     check_nothing_follows(file_.text().substr(at_), "byte " + std::to_string(at_));
   }
@@ -137,9 +144,10 @@ class PlyReader {
   }
 
   [[noreturn]] void fail_truncated(const PlyElement& element, std::size_t present) const {
-    throw Error(name_ + ": the file is cut off: element '" + printable(element.name) + "' has " + std::to_string(present) + " of the " +
-                std::to_string(element.count) + " rows that the header promises; the file ends at byte " +
-                std::to_string(file_.bytes().size()) + hint());
+    throw Error(name_ + ": the file is cut off: element '" + printable(element.name) + "' has " +
+                std::to_string(present) + " of the " + std::to_string(element.count) +
+                " rows that the header promises; the file ends at byte " + std::to_string(file_.bytes().size()) +
+                hint());
   }
 
   /// More data than promised means a wrong count or a wrong type in the header: whatever was read is not to be trusted.
@@ -164,8 +172,10 @@ class PlyReader {
       if (vertices) reserve_ascii(element, body.size() - lines.position());
       for (std::size_t row = 0; row < element.count; ++row) {
         const std::string_view line = next_line(lines, element, row);
-        if (vertices) take_ascii_row(element, line, header_.lines + lines.number());
-        else check_ascii_row(element, line, header_.lines + lines.number());
+        if (vertices)
+          take_ascii_row(element, line, header_.lines + lines.number());
+        else
+          check_ascii_row(element, line, header_.lines + lines.number());
       }
       if (vertices) table_.rows = element.count;
     }
@@ -190,7 +200,9 @@ class PlyReader {
     table_.bytes.resize(start + table_.stride);
     for (const Column& column : table_.columns) {
       const std::string_view word = take_word(line);
-      if (word.empty()) fail_at(number, "no value for property '" + printable(column.name) + "' of element '" + printable(element.name) + "'");
+      if (word.empty())
+        fail_at(number,
+                "no value for property '" + printable(column.name) + "' of element '" + printable(element.name) + "'");
       if (!parse_scalar(word, column.type, table_.bytes.data() + start + column.offset)) {
         fail_at(number, "'" + printable(word) + "' is no " + std::string(*ply_type_name(column.type)) + ", property '" +
                             printable(column.name) + "' of element '" + printable(element.name) + "'");
@@ -205,19 +217,21 @@ class PlyReader {
       if (property.list_count) {
         const std::string_view word = take_word(line);
         const auto length = parse_count(word);
-        if (!length) fail_at(number, "'" + printable(word) + "' is no length of list '" + printable(property.name) + "'");
+        if (!length)
+          fail_at(number, "'" + printable(word) + "' is no length of list '" + printable(property.name) + "'");
         entries = *length;
       }
       std::byte value[8];
       for (std::size_t entry = 0; entry < entries; ++entry) {
         const std::string_view word = take_word(line);
         if (!parse_scalar(word, property.type, value)) {
-          fail_at(number, "'" + printable(word) + "' is no value of property '" + printable(property.name) + "' of element '" +
-                              printable(element.name) + "'");
+          fail_at(number, "'" + printable(word) + "' is no value of property '" + printable(property.name) +
+                              "' of element '" + printable(element.name) + "'");
         }
       }
       if (element.name == "camera" && !property.list_count) {
-        note_camera(property, with_type(property.type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(value)); }));
+        note_camera(property, with_type(property.type,
+                                        [&](auto zero) { return static_cast<double>(load<decltype(zero)>(value)); }));
       }
     }
     check_line_ends(element, line, number);
@@ -226,8 +240,8 @@ class PlyReader {
   void check_line_ends(const PlyElement& element, std::string_view rest, std::size_t number) const {
     const std::string_view word = take_word(rest);
     if (!word.empty()) {
-      fail_at(number, "'" + printable(word) + "' is one value too many: element '" + printable(element.name) + "' has " +
-                          std::to_string(element.properties.size()) + " properties");
+      fail_at(number, "'" + printable(word) + "' is one value too many: element '" + printable(element.name) +
+                          "' has " + std::to_string(element.properties.size()) + " properties");
     }
   }
 

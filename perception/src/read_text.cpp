@@ -29,15 +29,19 @@ std::optional<std::string_view> comment(std::string_view line) {
 /// Takes all values of one file row by row, as doubles; the columns get names and narrower types at the end.
 class TextReader {
  public:
-  TextReader(const MappedFile& file, const std::string& name) : text_(without_mark(file.text())), name_(name), lines_(text_) {}
+  TextReader(const MappedFile& file, const std::string& name)
+      : text_(without_mark(file.text())), name_(name), lines_(text_) {}
 
   PointTable read() && {
     while (const auto raw = lines_.next()) {
       const std::string_view line = trimmed(*raw);
       if (line.empty()) continue;
-      if (const auto text = comment(line)) take_comment(*text);
-      else if (rows_ == 0) take_first(line);
-      else take_row(line);
+      if (const auto text = comment(line))
+        take_comment(*text);
+      else if (rows_ == 0)
+        take_first(line);
+      else
+        take_row(line);
     }
     return finish();
   }
@@ -45,11 +49,14 @@ class TextReader {
  private:
   void take_comment(std::string_view text) {
     const auto names = split(trimmed(text), separator_of(text));
-    if (rows_ == 0 && names_.empty() && names_coordinates(names)) names_ = column_names(names);
-    else table_.comments.emplace_back(trimmed(text));
+    if (rows_ == 0 && names_.empty() && names_coordinates(names))
+      names_ = column_names(names);
+    else
+      table_.comments.emplace_back(trimmed(text));
   }
 
-  /// The first lines may be a number of points and a line of names; the first point tells separator and number of columns.
+  /// The first lines may be a number of points and a line of names; the first point tells separator and number of
+  /// columns.
   void take_first(std::string_view line) {
     separator_ = separator_of(line);
     const auto tokens = split(line, separator_);
@@ -66,7 +73,8 @@ class TextReader {
     if (!numeric) fail("'" + printable(tokens[0]) + "' is no number, and the line does not name columns x, y and z");
     if (tokens.size() < 3) fail("a point needs three numbers at least, found " + std::to_string(tokens.size()));
     if (!names_.empty() && names_.size() != tokens.size()) {
-      fail(std::to_string(tokens.size()) + " values, but " + std::to_string(names_.size()) + " columns are named above");
+      fail(std::to_string(tokens.size()) + " values, but " + std::to_string(names_.size()) +
+           " columns are named above");
     }
     columns_.resize(tokens.size());
     const std::size_t likely_rows = (text_.size() - lines_.position()) / (line.size() + 1) + 2;
@@ -80,13 +88,15 @@ class TextReader {
     for (std::size_t i = 0; i < columns_.size(); ++i, at += sizeof(double)) {
       if (i > 0 && line.data() == nullptr) fail("no value for column " + column_name(i));
       const std::string_view token = take_field(line, separator_);
-      if (token.empty()) fail("no value for column " + column_name(i) + (separator_ == ' ' ? "" : " (write nan where there is none)"));
+      if (token.empty())
+        fail("no value for column " + column_name(i) + (separator_ == ' ' ? "" : " (write nan where there is none)"));
       const auto value = parse_double(token);
       if (!value) fail("'" + printable(token) + "' is no number, column " + column_name(i));
       columns_[i].take(token, *value);
       store(table_.bytes.data() + at, *value);
     }
-    if (line.data() != nullptr && !trimmed(line).empty()) fail("more than " + std::to_string(columns_.size()) + " values");
+    if (line.data() != nullptr && !trimmed(line).empty())
+      fail("more than " + std::to_string(columns_.size()) + " values");
     ++rows_;
   }
 
@@ -96,7 +106,8 @@ class TextReader {
 
   PointTable finish() {
     if (promised_ && *promised_ != rows_) {
-      throw Error(name_ + ": the first line promises " + std::to_string(*promised_) + " points, the file holds " + std::to_string(rows_));
+      throw Error(name_ + ": the first line promises " + std::to_string(*promised_) + " points, the file holds " +
+                  std::to_string(rows_));
     }
     if (rows_ == 0) throw Error(name_ + " holds no points");
     table_.rows = rows_;
@@ -107,7 +118,8 @@ class TextReader {
 
   [[nodiscard]] std::vector<std::string> unique_names(std::vector<std::string> names) const {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i)) {
+      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+          names.begin() + static_cast<std::ptrdiff_t>(i)) {
         throw Error(name_ + ": two columns are named '" + printable(names[i]) + "'");
       }
     }
@@ -144,11 +156,14 @@ bool looks_like_text(std::string_view text) {
     if (names_coordinates(tokens)) return true;
     if (text_of_comment) continue;
     if (tokens.size() == 1) return parse_count(tokens[0]).has_value();
-    return tokens.size() >= 3 && std::all_of(tokens.begin(), tokens.begin() + 3, [](auto token) { return parse_double(token).has_value(); });
+    return tokens.size() >= 3 &&
+           std::all_of(tokens.begin(), tokens.begin() + 3, [](auto token) { return parse_double(token).has_value(); });
   }
   return false;
 }
 
-PointTable read_text(const MappedFile& file, const std::string& file_name) { return TextReader(file, file_name).read(); }
+PointTable read_text(const MappedFile& file, const std::string& file_name) {
+  return TextReader(file, file_name).read();
+}
 
 }  // namespace scenelore::perception

@@ -11,13 +11,15 @@ namespace {
 
 std::string_view unquoted(std::string_view field) {
   field = trimmed(field);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = trimmed(field.substr(1, field.size() - 2));
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+    field = trimmed(field.substr(1, field.size() - 2));
   return field;
 }
 
 std::string lower(std::string_view text) {
   std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
 }
 
@@ -58,7 +60,8 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
 
 bool names_coordinates(const std::vector<std::string_view>& names) {
   const auto has = [&](char axis) {
-    return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return name.size() == 1 && std::tolower(name[0]) == axis; });
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return name.size() == 1 && std::tolower(name[0]) == axis; });
   };
   return has('x') && has('y') && has('z');
 }
@@ -71,12 +74,18 @@ std::vector<std::string> column_names(const std::vector<std::string_view>& token
   std::vector<std::string> names;
   for (const std::string_view token : tokens) {
     std::string name = lower(token);
-    if (colour && name == "r") name = "red";
-    else if (colour && name == "g") name = "green";
-    else if (colour && name == "b") name = "blue";
-    else if (name == "i") name = "intensity";
-    else if (!is_coordinate(name)) name = token;
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) || c == ','; }, '_');
+    if (colour && name == "r")
+      name = "red";
+    else if (colour && name == "g")
+      name = "green";
+    else if (colour && name == "b")
+      name = "blue";
+    else if (name == "i")
+      name = "intensity";
+    else if (!is_coordinate(name))
+      name = token;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) || c == ','; }, '_');
     names.push_back(name.empty() ? "scalar_" + std::to_string(names.size()) : name);
   }
   return names;
@@ -84,14 +93,16 @@ std::vector<std::string> column_names(const std::vector<std::string_view>& token
 
 void TextColumn::take(std::string_view token, double value) {
   if (!whole) return;
-  whole = token.find_first_not_of("+-0123456789") == std::string_view::npos && value >= -2147483648.0 && value <= 2147483647.0;
+  whole = token.find_first_not_of("+-0123456789") == std::string_view::npos && value >= -2147483648.0 &&
+          value <= 2147483647.0;
   is_byte = is_byte && whole && value >= 0 && value <= 255;
 }
 
 std::vector<std::string> default_names(const std::vector<TextColumn>& columns) {
   std::vector<std::string> names{"x", "y", "z"};
   const auto colour_at = [&](std::size_t first) {
-    return columns.size() >= first + 3 && columns[first].is_byte && columns[first + 1].is_byte && columns[first + 2].is_byte;
+    return columns.size() >= first + 3 && columns[first].is_byte && columns[first + 1].is_byte &&
+           columns[first + 2].is_byte;
   };
   if (columns.size() == 4) return {"x", "y", "z", "intensity"};
   const bool intensity_first = columns.size() == 7 && colour_at(4);  // x y z i r g b, as PTS files have it
@@ -108,7 +119,8 @@ void narrow(PointTable& table, const std::vector<std::string>& names, const std:
     std::memcpy(row.data(), table.bytes.data() + r * row.size() * sizeof(double), row.size() * sizeof(double));
     std::byte* const to = table.bytes.data() + r * table.stride;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      with_type(table.columns[i].type, [&](auto zero) { store(to + table.columns[i].offset, static_cast<decltype(zero)>(row[i])); });
+      with_type(table.columns[i].type,
+                [&](auto zero) { store(to + table.columns[i].offset, static_cast<decltype(zero)>(row[i])); });
     }
   }
   table.bytes.resize(table.rows * table.stride);

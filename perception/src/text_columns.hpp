@@ -12,7 +12,8 @@ namespace scenelore::perception {
 /// Semicolon before comma before blanks: the first of them that the line holds. ' ' stands for any run of blanks.
 [[nodiscard]] char separator_of(std::string_view line);
 
-/// Takes the next field, without blanks and quotes, from the front of `line`, which becomes a null view behind the last one.
+/// Takes the next field, without blanks and quotes, from the front of `line`, which becomes a null view behind the last
+/// one.
 [[nodiscard]] std::string_view take_field(std::string_view& line, char separator);
 
 /// All fields of the line; one empty field for an empty line.

@@ -18,8 +18,8 @@ void write_csv(OutputFile& out, const PointTable& table) {
       if (!line.empty()) line += ',';
       const std::byte* const at = table.bytes.data() + row * table.stride + column.offset;
       line.append(number, with_type(column.type, [&](auto zero) {
-        return std::to_chars(number, number + sizeof number, load<decltype(zero)>(at)).ptr;
-      }));
+                    return std::to_chars(number, number + sizeof number, load<decltype(zero)>(at)).ptr;
+                  }));
     }
     line += '\n';
     out.write(line);

@@ -7,12 +7,15 @@ namespace {
 char type_letter(ScalarType type) {
   switch (type) {
     case ScalarType::f32:
-    case ScalarType::f64: return 'F';
+    case ScalarType::f64:
+      return 'F';
     case ScalarType::i8:
     case ScalarType::i16:
     case ScalarType::i32:
-    case ScalarType::i64: return 'I';
-    default: return 'U';
+    case ScalarType::i64:
+      return 'I';
+    default:
+      return 'U';
   }
 }
 
@@ -28,8 +31,9 @@ std::string header(const PointTable& table) {
   }
   const Eigen::Vector3d v = table.viewpoint.value_or(Eigen::Vector3d::Zero());
   const std::string rows = std::to_string(table.rows);
-  return text + "VERSION 0.7\n" + fields + "\n" + sizes + "\n" + types + "\n" + counts + "\nWIDTH " + rows + "\nHEIGHT 1\nVIEWPOINT " +
-         shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z()) + " 1 0 0 0\nPOINTS " + rows + "\nDATA binary\n";
+  return text + "VERSION 0.7\n" + fields + "\n" + sizes + "\n" + types + "\n" + counts + "\nWIDTH " + rows +
+         "\nHEIGHT 1\nVIEWPOINT " + shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z()) +
+         " 1 0 0 0\nPOINTS " + rows + "\nDATA binary\n";
 }
 
 }  // namespace

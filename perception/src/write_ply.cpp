@@ -29,8 +29,8 @@ std::string header(const PointTable& table) {
 }
 
 bool stored_as_is(const PointTable& table) {
-  return is_packed(table) &&
-         std::all_of(table.columns.begin(), table.columns.end(), [](const Column& c) { return stored_type(c.type) == c.type; });
+  return is_packed(table) && std::all_of(table.columns.begin(), table.columns.end(),
+                                         [](const Column& c) { return stored_type(c.type) == c.type; });
 }
 
 void write_row(OutputFile& out, const PointTable& table, std::size_t row) {

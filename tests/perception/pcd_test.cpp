@@ -9,11 +9,14 @@ namespace {
 
 using Pcd = PointFiles;
 
-/// Three points with a normal of three values, padding, and a colour packed into a float, as the Point Cloud Library writes them.
-std::string header(const std::string& data, const std::string& points = "3", const std::string& viewpoint = "0 0 0 1 0 0 0") {
-  return "# .PCD v0.7 - Point Cloud Data file format\n# made in a test\nVERSION 0.7\nFIELDS x y z _ normal rgb label\nSIZE 4 4 8 1 4 4 2\n"
-         "TYPE F F F U F F U\nCOUNT 1 1 1 4 3 1 1\nWIDTH " + points + "\nHEIGHT 1\nVIEWPOINT " + viewpoint + "\nPOINTS " + points +
-         "\nDATA " + data + "\n";
+/// Three points with a normal of three values, padding, and a colour packed into a float, as the Point Cloud Library
+/// writes them.
+std::string header(const std::string& data, const std::string& points = "3",
+                   const std::string& viewpoint = "0 0 0 1 0 0 0") {
+  return "# .PCD v0.7 - Point Cloud Data file format\n# made in a test\nVERSION 0.7\nFIELDS x y z _ normal rgb "
+         "label\nSIZE 4 4 8 1 4 4 2\n"
+         "TYPE F F F U F F U\nCOUNT 1 1 1 4 3 1 1\nWIDTH " +
+         points + "\nHEIGHT 1\nVIEWPOINT " + viewpoint + "\nPOINTS " + points + "\nDATA " + data + "\n";
 }
 
 constexpr std::uint32_t kColour = 0xff8040;  // as a float: not a number that survives arithmetic
@@ -21,15 +24,16 @@ constexpr std::size_t kRow = 4 + 4 + 8 + 4 + 12 + 4 + 2;
 
 std::string row(int i) {
   const auto f = static_cast<float>(i);
-  return raw(f) + raw(f + 0.5F) + raw(0.1 * i) + "____" + raw(0.0F) + raw(f) + raw(1.0F) + raw(kColour + static_cast<std::uint32_t>(i)) +
-         raw(static_cast<std::uint16_t>(60000 + i));
+  return raw(f) + raw(f + 0.5F) + raw(0.1 * i) + "____" + raw(0.0F) + raw(f) + raw(1.0F) +
+         raw(kColour + static_cast<std::uint32_t>(i)) + raw(static_cast<std::uint16_t>(60000 + i));
 }
 
 std::string rows() { return row(0) + row(1) + row(2); }
 
 std::string compressed(const std::string& by_field) {
   std::string packed(by_field.size() * 2 + 64, '\0');
-  const unsigned size = lzf_compress(by_field.data(), static_cast<unsigned>(by_field.size()), packed.data(), static_cast<unsigned>(packed.size()));
+  const unsigned size = lzf_compress(by_field.data(), static_cast<unsigned>(by_field.size()), packed.data(),
+                                     static_cast<unsigned>(packed.size()));
   EXPECT_GT(size, 0U);
   packed.resize(size);
   return raw(size) + raw(static_cast<std::uint32_t>(by_field.size())) + packed;
@@ -82,19 +86,21 @@ TEST_F(Pcd, ReadsAscii) {
     std::memcpy(&colour, &bits, 4);
     std::snprintf(text[i], sizeof text[i], "%.9g", static_cast<double>(colour));
   }
-  const std::string body = "0 0.5 0 9 9 9 9 0 0 1 " + std::string(text[0]) + " 60000\r\n\n1 1.5 0.1 9 9 9 9 0 1 1 " + text[1] +
-                           " 60001\n2 2.5 0.2 9 9 9 9 0 2 1 " + text[2] + " 60002";
+  const std::string body = "0 0.5 0 9 9 9 9 0 0 1 " + std::string(text[0]) + " 60000\r\n\n1 1.5 0.1 9 9 9 9 0 1 1 " +
+                           text[1] + " 60001\n2 2.5 0.2 9 9 9 9 0 2 1 " + text[2] + " 60002";
   expect_the_three_points(read("a.pcd", header("ascii") + body));
 }
 
 TEST_F(Pcd, ReadsNanAsNan) {
-  const PointTable table = read("a.pcd", "VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\nnan NaN -nan\n");
+  const PointTable table =
+      read("a.pcd", "VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\nnan NaN -nan\n");
   for (const Column& column : table.columns) EXPECT_TRUE(std::isnan(table.value(column, 0)));
 }
 
 TEST_F(Pcd, TakesTheViewpointUnlessItIsTheDefault) {
   EXPECT_FALSE(read("a.pcd", header("binary") + rows()).viewpoint);
-  EXPECT_EQ(read("a.pcd", header("binary", "3", "1 -2.5 0.25 0 1 0 0") + rows()).viewpoint, Eigen::Vector3d(1, -2.5, 0.25));
+  EXPECT_EQ(read("a.pcd", header("binary", "3", "1 -2.5 0.25 0 1 0 0") + rows()).viewpoint,
+            Eigen::Vector3d(1, -2.5, 0.25));
 }
 
 TEST_F(Pcd, WritesAndReadsBackEveryTypeBitExactly) {
@@ -108,8 +114,9 @@ TEST_F(Pcd, WritesAndReadsBackEveryTypeBitExactly) {
 }
 
 TEST_F(Pcd, EveryPrefixOfAFileIsAnErrorOrTheWholeScene) {
-  for (const std::string& whole : {header("binary") + rows(), header("binary_compressed") + compressed(by_field(true)),
-                                   header("ascii") + "0 0 0 9 9 9 9 0 0 1 0 1\n0 0 0 9 9 9 9 0 0 1 0 2\n0 0 0 9 9 9 9 0 0 1 0 3\n"}) {
+  for (const std::string& whole :
+       {header("binary") + rows(), header("binary_compressed") + compressed(by_field(true)),
+        header("ascii") + "0 0 0 9 9 9 9 0 0 1 0 1\n0 0 0 9 9 9 9 0 0 1 0 2\n0 0 0 9 9 9 9 0 0 1 0 3\n"}) {
     const PointTable table = read("whole.pcd", whole);
     for (std::size_t size = 0; size < whole.size(); ++size) {
       const std::string error = error_of("part.pcd", whole.substr(0, size));
@@ -122,31 +129,48 @@ TEST_F(Pcd, EveryPrefixOfAFileIsAnErrorOrTheWholeScene) {
 
 TEST_F(Pcd, SaysHowManyPointsOfACutFileAreThere) {
   const std::string cut = header("binary") + row(0) + row(1) + "abc";
-  EXPECT_EQ(error_of("cut.pcd", cut), "cut.pcd: the file is cut off: 2 of the 3 points that the header promises are there; the file ends at byte " +
-                                          std::to_string(cut.size()));
+  EXPECT_EQ(
+      error_of("cut.pcd", cut),
+      "cut.pcd: the file is cut off: 2 of the 3 points that the header promises are there; the file ends at byte " +
+          std::to_string(cut.size()));
 }
 
 TEST_F(Pcd, CountsThatLieAreRefusedWithoutAllocating) {
   for (const char* points : {"1000000000000", "99999999999999999"}) {
     EXPECT_NE(error_of("lie.pcd", header("binary", points) + rows()).find("cut off"), std::string::npos);
-    EXPECT_NE(error_of("lie.pcd", header("ascii", points) + "0 0 0 9 9 9 9 0 0 1 0 1\n").find("cut off"), std::string::npos);
-    EXPECT_NE(error_of("lie.pcd", header("binary_compressed", points) + compressed(by_field(true))).find("the header promises"), std::string::npos);
+    EXPECT_NE(error_of("lie.pcd", header("ascii", points) + "0 0 0 9 9 9 9 0 0 1 0 1\n").find("cut off"),
+              std::string::npos);
+    EXPECT_NE(error_of("lie.pcd", header("binary_compressed", points) + compressed(by_field(true)))
+                  .find("the header promises"),
+              std::string::npos);
   }
   EXPECT_NE(error_of("lie.pcd", header("binary", "-3") + rows()).find("'-3' is no WIDTH"), std::string::npos);
-  const std::string many = "VERSION .7\nFIELDS x\nSIZE 4\nTYPE F\nCOUNT 1000000000000\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n";
+  const std::string many =
+      "VERSION .7\nFIELDS x\nSIZE 4\nTYPE F\nCOUNT 1000000000000\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n";
   EXPECT_NE(error_of("lie.pcd", many).find("more than 4096 values a point"), std::string::npos);
-  const std::string bomb = "VERSION .7\nFIELDS x\nSIZE 4\nTYPE F\nCOUNT 1\nWIDTH 1000000000\nHEIGHT 1\nPOINTS 1000000000\nDATA binary_compressed\n";
-  EXPECT_NE(error_of("lie.pcd", bomb + raw(std::uint32_t{3}) + raw(std::uint32_t{4000000000U}) + "abc").find("damaged"), std::string::npos);
+  const std::string bomb =
+      "VERSION .7\nFIELDS x\nSIZE 4\nTYPE F\nCOUNT 1\nWIDTH 1000000000\nHEIGHT 1\nPOINTS 1000000000\nDATA "
+      "binary_compressed\n";
+  EXPECT_NE(error_of("lie.pcd", bomb + raw(std::uint32_t{3}) + raw(std::uint32_t{4000000000U}) + "abc").find("damaged"),
+            std::string::npos);
 }
 
 TEST_F(Pcd, HeadersThatContradictThemselvesAreErrors) {
   const auto error = [&](const std::string& text) { return error_of("h.pcd", "VERSION .7\n" + text); };
-  EXPECT_NE(error("FIELDS x y\nSIZE 4\nTYPE F F\nWIDTH 1\nDATA ascii\n").find("SIZE has 1 entries for 2 fields"), std::string::npos);
-  EXPECT_NE(error("FIELDS x\nSIZE 3\nTYPE F\nWIDTH 1\nDATA ascii\n").find("there is no type F of 3 bytes"), std::string::npos);
-  EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 2\nHEIGHT 3\nPOINTS 5\nDATA ascii\n").find("WIDTH 2 times HEIGHT 3 is not POINTS 5"), std::string::npos);
-  EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 999999999999\nHEIGHT 999999999999\nDATA ascii\n").find("is not POINTS"), std::string::npos);
-  EXPECT_NE(error("FIELDS x x\nSIZE 4 4\nTYPE F F\nWIDTH 1\nDATA ascii\n").find("'x' appears twice"), std::string::npos);
-  EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 1\nWIDTH 1\nDATA ascii\n").find("a second line 'WIDTH'"), std::string::npos);
+  EXPECT_NE(error("FIELDS x y\nSIZE 4\nTYPE F F\nWIDTH 1\nDATA ascii\n").find("SIZE has 1 entries for 2 fields"),
+            std::string::npos);
+  EXPECT_NE(error("FIELDS x\nSIZE 3\nTYPE F\nWIDTH 1\nDATA ascii\n").find("there is no type F of 3 bytes"),
+            std::string::npos);
+  EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 2\nHEIGHT 3\nPOINTS 5\nDATA ascii\n")
+                .find("WIDTH 2 times HEIGHT 3 is not POINTS 5"),
+            std::string::npos);
+  EXPECT_NE(
+      error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 999999999999\nHEIGHT 999999999999\nDATA ascii\n").find("is not POINTS"),
+      std::string::npos);
+  EXPECT_NE(error("FIELDS x x\nSIZE 4 4\nTYPE F F\nWIDTH 1\nDATA ascii\n").find("'x' appears twice"),
+            std::string::npos);
+  EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 1\nWIDTH 1\nDATA ascii\n").find("a second line 'WIDTH'"),
+            std::string::npos);
   EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nDATA ascii\n").find("neither WIDTH nor POINTS"), std::string::npos);
   EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 1\nDATA zipped\n").find("unknown DATA 'zipped'"), std::string::npos);
   EXPECT_NE(error("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 1\n").find("no line 'DATA'"), std::string::npos);

@@ -1,5 +1,5 @@
-// The Point Cloud Library as an oracle of our readers, where it reads right (not: double coordinates in PLY files), and as a
-// reader of what we write. Its headers are heavy: this is the only source that sees them.
+// The Point Cloud Library as an oracle of our readers, where it reads right (not: double coordinates in PLY files), and
+// as a reader of what we write. Its headers are heavy: this is the only source that sees them.
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
@@ -13,14 +13,22 @@ using PclOracle = PointFiles;
 
 std::uint8_t pcl_type(ScalarType type) {
   switch (type) {
-    case ScalarType::i8: return pcl::PCLPointField::INT8;
-    case ScalarType::u8: return pcl::PCLPointField::UINT8;
-    case ScalarType::i16: return pcl::PCLPointField::INT16;
-    case ScalarType::u16: return pcl::PCLPointField::UINT16;
-    case ScalarType::i32: return pcl::PCLPointField::INT32;
-    case ScalarType::u32: return pcl::PCLPointField::UINT32;
-    case ScalarType::f64: return pcl::PCLPointField::FLOAT64;
-    default: return pcl::PCLPointField::FLOAT32;
+    case ScalarType::i8:
+      return pcl::PCLPointField::INT8;
+    case ScalarType::u8:
+      return pcl::PCLPointField::UINT8;
+    case ScalarType::i16:
+      return pcl::PCLPointField::INT16;
+    case ScalarType::u16:
+      return pcl::PCLPointField::UINT16;
+    case ScalarType::i32:
+      return pcl::PCLPointField::INT32;
+    case ScalarType::u32:
+      return pcl::PCLPointField::UINT32;
+    case ScalarType::f64:
+      return pcl::PCLPointField::FLOAT64;
+    default:
+      return pcl::PCLPointField::FLOAT32;
   }
 }
 
@@ -52,8 +60,9 @@ void expect_same_values(const pcl::PCLPointCloud2& cloud, const PointTable& tabl
     ASSERT_NE(column, nullptr) << field.name;
     ASSERT_EQ(field.datatype, pcl_type(column->type)) << field.name;
     for (std::size_t row = 0; row < table.rows; ++row) {
-      EXPECT_EQ(0, std::memcmp(cloud.data.data() + row * cloud.point_step + field.offset, table.bytes.data() + row * table.stride + column->offset,
-                               size_of(column->type))) << field.name << " of point " << row;
+      EXPECT_EQ(0, std::memcmp(cloud.data.data() + row * cloud.point_step + field.offset,
+                               table.bytes.data() + row * table.stride + column->offset, size_of(column->type)))
+          << field.name << " of point " << row;
     }
   }
 }
@@ -90,12 +99,13 @@ TEST_F(PclOracle, WritesPcdFilesInThreeEncodingsThatWeRead) {
   expect_same_values(theirs, ours);
 }
 
-/// PCL's ASCII writer prints a double with the float's number of digits, and its PLY files hold no denormal that survives:
-/// plain values for the comparisons through text.
+/// PCL's ASCII writer prints a double with the float's number of digits, and its PLY files hold no denormal that
+/// survives: plain values for the comparisons through text.
 PointTable plain_table() {
   PointTable table;
   table.rows = 5;
-  for (const char* name : {"x", "y", "z", "curvature"}) table.set_column(name, std::vector<float>{0, 0.1F, -2.5F, 1e-7F, 123456.7F});
+  for (const char* name : {"x", "y", "z", "curvature"})
+    table.set_column(name, std::vector<float>{0, 0.1F, -2.5F, 1e-7F, 123456.7F});
   table.set_column("label", std::vector<std::int32_t>{0, -1, 7, 2147483647, -2147483647});
   table.set_column("class", std::vector<std::uint8_t>{0, 1, 2, 128, 255});
   return table;

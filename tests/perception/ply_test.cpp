@@ -11,7 +11,8 @@ struct Encoding {
   const char* name;
   bool binary, big_endian;
 };
-constexpr Encoding kEncodings[] = {{"ascii", false, false}, {"binary_little_endian", true, false}, {"binary_big_endian", true, true}};
+constexpr Encoding kEncodings[] = {
+    {"ascii", false, false}, {"binary_little_endian", true, false}, {"binary_big_endian", true, true}};
 
 template <class T>
 std::string value(const Encoding& encoding, T number) {
@@ -26,7 +27,8 @@ std::string scene(const Encoding& encoding, bool new_names, bool doubles, const 
   const char* const new_type[] = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
   const auto type = [&](int i) { return std::string(new_names ? new_type[i] : old_type[i]); };
   std::string header = "ply\nformat " + std::string(encoding.name) + " 1.0\ncomment a scene\nobj_info made in a test\n";
-  header += "comment viewpoint 1.5 -2 0.25\nelement face 2\nproperty list " + type(1) + " " + type(4) + " vertex_indices\nproperty " + type(2) + " flag\n";
+  header += "comment viewpoint 1.5 -2 0.25\nelement face 2\nproperty list " + type(1) + " " + type(4) +
+            " vertex_indices\nproperty " + type(2) + " flag\n";
   header += "element vertex 3\n";
   for (const char* axis : {"x", "y", "z"}) header += "property " + type(doubles ? 7 : 6) + " " + axis + "\n";
   for (int i = 0; i < 8; ++i) header += "property " + type(i) + " p" + std::to_string(i) + "\n";
@@ -44,13 +46,17 @@ std::string scene(const Encoding& encoding, bool new_names, bool doubles, const 
       body += doubles ? value(encoding, coordinate) : value(encoding, static_cast<float>(coordinate));
     }
     body += value(encoding, static_cast<std::int8_t>(-row)) + value(encoding, static_cast<std::uint8_t>(200 + row));
-    body += value(encoding, static_cast<std::int16_t>(-300 - row)) + value(encoding, static_cast<std::uint16_t>(65000 + row));
-    body += value(encoding, static_cast<std::int32_t>(-70000 - row)) + value(encoding, static_cast<std::uint32_t>(4000000000U + row));
+    body += value(encoding, static_cast<std::int16_t>(-300 - row)) +
+            value(encoding, static_cast<std::uint16_t>(65000 + row));
+    body += value(encoding, static_cast<std::int32_t>(-70000 - row)) +
+            value(encoding, static_cast<std::uint32_t>(4000000000U + row));
     body += value(encoding, 0.5F * static_cast<float>(row)) + value(encoding, -0.125 * row) + end_of_row(encoding);
   }
-  body += value(encoding, 9.0F) + value(encoding, static_cast<std::uint8_t>(1)) + value(encoding, 7.0F) + end_of_row(encoding);
+  body += value(encoding, 9.0F) + value(encoding, static_cast<std::uint8_t>(1)) + value(encoding, 7.0F) +
+          end_of_row(encoding);
   if (line_end != "\n") {
-    for (std::size_t at = header.find('\n'); at != std::string::npos; at = header.find('\n', at + line_end.size())) header.replace(at, 1, line_end);
+    for (std::size_t at = header.find('\n'); at != std::string::npos; at = header.find('\n', at + line_end.size()))
+      header.replace(at, 1, line_end);
   }
   return header + body;
 }
@@ -60,7 +66,8 @@ TEST_F(Ply, ReadsEveryTypeInEveryEncoding) {
     for (const bool new_names : {false, true}) {
       for (const bool doubles : {false, true}) {
         for (const char* line_end : {"\n", "\r\n"}) {
-          SCOPED_TRACE(std::string(encoding.name) + (new_names ? " new" : " old") + (doubles ? " double" : " float") + line_end);
+          SCOPED_TRACE(std::string(encoding.name) + (new_names ? " new" : " old") + (doubles ? " double" : " float") +
+                       line_end);
           const PointTable table = read("scene.ply", scene(encoding, new_names, doubles, line_end));
           ASSERT_EQ(table.rows, 3U);
           ASSERT_EQ(table.columns.size(), 11U);
@@ -70,9 +77,11 @@ TEST_F(Ply, ReadsEveryTypeInEveryEncoding) {
                                         {-2, 202, -302, 65002, -70002, 4000000002.0, 1, -0.25}};
           for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
-              EXPECT_EQ(table.value(table.columns[axis], row), static_cast<double>(row) + 0.25 * static_cast<double>(axis));
+              EXPECT_EQ(table.value(table.columns[axis], row),
+                        static_cast<double>(row) + 0.25 * static_cast<double>(axis));
             }
-            for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(table.value(table.columns[3 + i], row), expected[row][i]) << i;
+            for (std::size_t i = 0; i < 8; ++i)
+              EXPECT_EQ(table.value(table.columns[3 + i], row), expected[row][i]) << i;
           }
           EXPECT_EQ(table.comments, (std::vector<std::string>{"a scene", "obj_info made in a test"}));
           ASSERT_TRUE(table.viewpoint);
@@ -140,35 +149,42 @@ TEST_F(Ply, Stores64BitIntegersAsDoublesWhereTheseHoldThem) {
 }
 
 TEST_F(Ply, TakesTheViewpointOfTheCameraElement) {
-  const std::string header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                             "element camera 1\nproperty float view_px\nproperty float view_py\nproperty float view_pz\nend_header\n1 2 3\n";
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+      "element camera 1\nproperty float view_px\nproperty float view_py\nproperty float view_pz\nend_header\n1 2 3\n";
   EXPECT_EQ(read("a.ply", header + "0 0.5 -1\n").viewpoint, Eigen::Vector3d(0, 0.5, -1));
   EXPECT_FALSE(read("b.ply", header + "0 0 0\n").viewpoint) << "which is what writers put who know nothing";
 }
 
 std::string head(const std::string& count = "2", const std::string& format = "binary_little_endian") {
-  return "ply\nformat " + format + " 1.0\nelement vertex " + count + "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  return "ply\nformat " + format + " 1.0\nelement vertex " + count +
+         "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
 }
 
 TEST_F(Ply, SaysHowManyPointsOfACutFileAreThere) {
   EXPECT_EQ(error_of("cut.ply", head("3") + std::string(30, '\xff')),
-            "cut.ply: the file is cut off: element 'vertex' has 2 of the 3 rows that the header promises; the file ends at byte " +
+            "cut.ply: the file is cut off: element 'vertex' has 2 of the 3 rows that the header promises; the file "
+            "ends at byte " +
                 std::to_string(head("3").size() + 30));
   EXPECT_EQ(error_of("cut.ply", head("3", "ascii") + "1 2 3\n4 5 6\n"),
-            "cut.ply: the file is cut off: element 'vertex' has 2 of the 3 rows that the header promises; the file ends at byte " +
+            "cut.ply: the file is cut off: element 'vertex' has 2 of the 3 rows that the header promises; the file "
+            "ends at byte " +
                 std::to_string(head("3", "ascii").size() + 12));
 }
 
 TEST_F(Ply, CountsThatLieAreRefusedWithoutAllocating) {
   for (const char* count : {"99999999999999999", "4294967296", "1000000000"}) {
     for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-      EXPECT_NE(error_of("lie.ply", head(count, format) + "1 2 3\n").find("cut off"), std::string::npos) << count << format;
+      EXPECT_NE(error_of("lie.ply", head(count, format) + "1 2 3\n").find("cut off"), std::string::npos)
+          << count << format;
     }
   }
-  EXPECT_EQ(error_of("lie.ply", head("-5")), "lie.ply, line 3: an element needs a name and a number of rows, found 'vertex' and '-5'");
+  EXPECT_EQ(error_of("lie.ply", head("-5")),
+            "lie.ply, line 3: an element needs a name and a number of rows, found 'vertex' and '-5'");
   EXPECT_NE(error_of("lie.ply", head("99999999999999999999999")).find("line 3"), std::string::npos);
-  const std::string list = "ply\nformat binary_little_endian 1.0\nelement face 1000000000000\nproperty list int int i\nelement vertex 0\n"
-                           "property float x\nend_header\n";
+  const std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement face 1000000000000\nproperty list int int i\nelement vertex 0\n"
+      "property float x\nend_header\n";
   EXPECT_NE(error_of("lie.ply", list + raw(std::int32_t{-1})).find("negative length"), std::string::npos);
   EXPECT_NE(error_of("lie.ply", list + raw(std::int32_t{2147483647})).find("cut off"), std::string::npos);
 }
@@ -181,22 +197,39 @@ TEST_F(Ply, TextInABinaryFileIsNamed) {
 TEST_F(Ply, TextInANumberIsNamedWithLineAndProperty) {
   EXPECT_EQ(error_of("text.ply", head("2", "ascii") + "1 2 3\n4 five 6\n"),
             "text.ply, line 9: 'five' is no float, property 'y' of element 'vertex'");
-  EXPECT_EQ(error_of("text.ply", head("2", "ascii") + "1 2 3\n4 5\n"), "text.ply, line 9: no value for property 'z' of element 'vertex'");
+  EXPECT_EQ(error_of("text.ply", head("2", "ascii") + "1 2 3\n4 5\n"),
+            "text.ply, line 9: no value for property 'z' of element 'vertex'");
   EXPECT_EQ(error_of("text.ply", head("2", "ascii") + "1 2 3\n4 5 6 7\n"),
             "text.ply, line 9: '7' is one value too many: element 'vertex' has 3 properties");
-  EXPECT_EQ(error_of("text.ply", head("1", "ascii") + "1e50 2 3\n"), "text.ply, line 8: '1e50' is no float, property 'x' of element 'vertex'");
+  EXPECT_EQ(error_of("text.ply", head("1", "ascii") + "1e50 2 3\n"),
+            "text.ply, line 8: '1e50' is no float, property 'x' of element 'vertex'");
 }
 
 TEST_F(Ply, WholeNumbersOutOfTheirTypesRangeAreErrors) {
   const auto with = [](const std::string& type, const std::string& number) {
     return "ply\nformat ascii 1.0\nelement vertex 1\nproperty " + type + " label\nend_header\n" + number + "\n";
   };
-  for (const auto& [type, number] : {std::pair{"uchar", "256"}, {"uchar", "-1"}, {"char", "128"}, {"ushort", "65536"}, {"int", "2147483648"},
-                                     {"uint", "-1"}, {"int", "1.5"}, {"int", "nan"}, {"int", "1e300"}, {"int", "0x10"}, {"int", ""}}) {
+  for (const auto& [type, number] : {std::pair{"uchar", "256"},
+                                     {"uchar", "-1"},
+                                     {"char", "128"},
+                                     {"ushort", "65536"},
+                                     {"int", "2147483648"},
+                                     {"uint", "-1"},
+                                     {"int", "1.5"},
+                                     {"int", "nan"},
+                                     {"int", "1e300"},
+                                     {"int", "0x10"},
+                                     {"int", ""}}) {
     EXPECT_NE(error_of("label.ply", with(type, number)), "no error") << type << number;
   }
-  for (const auto& [type, number, value] : {std::tuple{"uchar", "255", 255.0}, {"char", "-128", -128.0}, {"int", "+7", 7.0}, {"int", "12.0", 12.0},
-                                            {"float", "-inf", -HUGE_VAL}, {"float", "1e-60", 0.0}, {"float", "+.5", 0.5}, {"double", "1e-400", 0.0}}) {
+  for (const auto& [type, number, value] : {std::tuple{"uchar", "255", 255.0},
+                                            {"char", "-128", -128.0},
+                                            {"int", "+7", 7.0},
+                                            {"int", "12.0", 12.0},
+                                            {"float", "-inf", -HUGE_VAL},
+                                            {"float", "1e-60", 0.0},
+                                            {"float", "+.5", 0.5},
+                                            {"double", "1e-400", 0.0}}) {
     const PointTable table = read("label.ply", with(type, number));
     EXPECT_EQ(table.value(table.columns[0], 0), value) << type << number;
   }
@@ -209,22 +242,32 @@ TEST_F(Ply, MoreDataThanTheHeaderDescribesIsAnError) {
 }
 
 TEST_F(Ply, ListsAtThePointsAndMissingPointsAreErrors) {
-  EXPECT_NE(error_of("list.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty list uchar int near\nend_header\n1 0\n").find(
-                "property 'near' of the points is a list"), std::string::npos);
+  EXPECT_NE(
+      error_of(
+          "list.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty list uchar int near\nend_header\n1 0\n")
+          .find("property 'near' of the points is a list"),
+      std::string::npos);
   EXPECT_EQ(error_of("none.ply", "ply\nformat ascii 1.0\nelement point 1\nproperty float x\nend_header\n1\n"),
             "none.ply: no element 'vertex', so no points (elements: point)");
 }
 
 TEST_F(Ply, HeadersThatAreWrongAreNamedByLine) {
   const auto error = [&](const std::string& lines) { return error_of("h.ply", "ply\n" + lines); };
-  EXPECT_NE(error("format binary_middle_endian 1.0\nend_header\n").find("line 2: unknown format 'binary_middle_endian'"), std::string::npos);
+  EXPECT_NE(
+      error("format binary_middle_endian 1.0\nend_header\n").find("line 2: unknown format 'binary_middle_endian'"),
+      std::string::npos);
   EXPECT_NE(error("format ascii 2.0\nend_header\n").find("PLY version '2.0'"), std::string::npos);
   EXPECT_NE(error("element vertex 1\nend_header\n").find("no line 'format'"), std::string::npos);
   EXPECT_NE(error("format ascii 1.0\nproperty float x\n").find("before the first element"), std::string::npos);
-  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty half x\n").find("unknown property type 'half'"), std::string::npos);
-  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty float x\nproperty int x\n").find("appears twice"), std::string::npos);
-  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty list float int x\n").find("whole type"), std::string::npos);
-  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty float x\n").find("no line 'end_header'"), std::string::npos);
+  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty half x\n").find("unknown property type 'half'"),
+            std::string::npos);
+  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty float x\nproperty int x\n").find("appears twice"),
+            std::string::npos);
+  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty list float int x\n").find("whole type"),
+            std::string::npos);
+  EXPECT_NE(error("format ascii 1.0\nelement vertex 1\nproperty float x\n").find("no line 'end_header'"),
+            std::string::npos);
   EXPECT_NE(error("nonsense\n").find("unknown keyword 'nonsense'"), std::string::npos);
   EXPECT_NE(error_of("h.ply", "solid cube\n").find("begins with a line 'ply'"), std::string::npos);
 }

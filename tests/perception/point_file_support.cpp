@@ -34,8 +34,10 @@ PointTable table_of_every_type(ScalarType coordinates, bool with_64_bit_integers
   PointTable table;
   table.rows = kRows;
   for (const char* axis : {"x", "y", "z"}) {
-    if (coordinates == ScalarType::f32) append<float>(table, axis, coordinates);
-    else append<double>(table, axis, coordinates);
+    if (coordinates == ScalarType::f32)
+      append<float>(table, axis, coordinates);
+    else
+      append<double>(table, axis, coordinates);
   }
   append<std::int8_t>(table, "a", ScalarType::i8);
   append<std::uint8_t>(table, "b", ScalarType::u8);

@@ -20,12 +20,15 @@ class PointFiles : public ::testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   std::filesystem::path put(const std::string& name, const std::string& content) const {
-    std::filesystem::remove(path(name));  // a new file is quick; one cut to nothing and rewritten is synchronised by ext4
+    std::filesystem::remove(
+        path(name));  // a new file is quick; one cut to nothing and rewritten is synchronised by ext4
     test::write_file(path(name), content);
     return path(name);
   }
   [[nodiscard]] std::string get(const std::string& name) const { return test::read_file(path(name)); }
-  [[nodiscard]] PointTable read(const std::string& name, const std::string& content) const { return read_points(put(name, content)); }
+  [[nodiscard]] PointTable read(const std::string& name, const std::string& content) const {
+    return read_points(put(name, content));
+  }
 
   /// The error message without the folder, or "no error".
   [[nodiscard]] std::string error_of(const std::string& name, const std::string& content) const {
@@ -42,7 +45,8 @@ class PointFiles : public ::testing::Test {
   }
   [[nodiscard]] std::string without_folder(std::string text) const {
     const std::string prefix = folder_.path().string() + "/";
-    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) text.erase(at, prefix.size());
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix))
+      text.erase(at, prefix.size());
     return text;
   }
   [[nodiscard]] std::size_t files_in_folder() const {

@@ -17,15 +17,19 @@ TEST_F(ReadPoints, SaysWhatIsWrongWithFilesThatAreNoPointFiles) {
   EXPECT_EQ(error_of_reading("absent.ply"), "absent.ply: cannot be opened: No such file or directory");
   std::filesystem::create_directory(path("folder.ply"));
   EXPECT_EQ(error_of_reading("folder.ply"), "folder.ply is a folder, not a point file");
-  EXPECT_EQ(error_of("photo.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)), "photo.png is not a PLY, PCD or text point file");
+  EXPECT_EQ(error_of("photo.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)),
+            "photo.png is not a PLY, PCD or text point file");
   EXPECT_EQ(error_of("letter", "Dear reader,\nthis is no scan.\n"), "letter is not a PLY, PCD or text point file");
   EXPECT_EQ(error_of("binary.xyz", std::string("1 2 3\0\1\2", 8)), "binary.xyz is not a PLY, PCD or text point file");
   EXPECT_NE(error_of("scan.las", "LASF____").find("is a LAS or LAZ file"), std::string::npos);
 }
 
 TEST_F(ReadPoints, TellsTheFormatFromTheContentNotFromTheName) {
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n";
-  const std::string pcd = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n1 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 "
+      "3\n";
+  const std::string pcd =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n1 2 3\n";
   for (const char* name : {"a.ply", "a.pcd", "a.txt", "a"}) {
     for (const std::string& content : {ply, pcd}) {
       const PointTable table = read(name, content);
@@ -53,7 +57,8 @@ TEST_F(ReadPoints, DamagedBytesGiveAnErrorOrSomeTableNeverACrash) {
     int errors = 0;
     for (int round = 0; round < 3000; ++round) {
       std::string damaged = whole;
-      for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+      for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips)
+        damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
       const std::string error = error_of("damaged", damaged);
       if (error == "no error") {
         const PointTable result = read_points(path("damaged"));
@@ -118,12 +123,14 @@ TEST_F(WritePoints, NeedsAKnownExtensionAndUsableNames) {
 TEST_F(WritePoints, ReplacesAFileWholeAndKeepsItsModeAndLinks) {
   const PointTable table = table_of_every_type(ScalarType::f32, false);
   put("real.ply", "old");
-  std::filesystem::permissions(path("real.ply"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::filesystem::permissions(path("real.ply"),
+                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   std::filesystem::create_symlink("real.ply", path("link.ply"));
   write_points(path("link.ply"), table);
   EXPECT_TRUE(std::filesystem::is_symlink(path("link.ply")));
   expect_same(table, read_points(path("real.ply")));
-  EXPECT_EQ(std::filesystem::status(path("real.ply")).permissions(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(std::filesystem::status(path("real.ply")).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   EXPECT_EQ(files_in_folder(), 2U);
 }
 
@@ -154,9 +161,11 @@ TEST_F(WritePoints, AWriteThatFailsHalfwayLeavesTheOldFile) {
 
 TEST_F(WritePoints, SaysWhyAFolderTakesNoFile) {
   const PointTable table = table_of_every_type(ScalarType::f32, false);
-  EXPECT_EQ(without_folder(error_of_writing(path("absent/out.ply"), table)), "absent/out.ply cannot be written: No such file or directory");
+  EXPECT_EQ(without_folder(error_of_writing(path("absent/out.ply"), table)),
+            "absent/out.ply cannot be written: No such file or directory");
   std::filesystem::create_directory(path("folder.ply"));
-  EXPECT_EQ(without_folder(error_of_writing(path("folder.ply"), table)), "folder.ply is a folder, not a file to write to");
+  EXPECT_EQ(without_folder(error_of_writing(path("folder.ply"), table)),
+            "folder.ply is a folder, not a file to write to");
 }
 
 }  // namespace

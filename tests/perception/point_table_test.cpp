@@ -71,7 +71,8 @@ TEST(ToCloud, KeepsSmallFloatsBitExactAboutOriginZero) {
 
 TEST(ToCloud, FlagsInvalidPointsAndKeepsTheirIndex) {
   PointTable table = numbered(4);
-  table.set_column("y", std::vector<float>{1, std::numeric_limits<float>::quiet_NaN(), 3, std::numeric_limits<float>::infinity()});
+  table.set_column(
+      "y", std::vector<float>{1, std::numeric_limits<float>::quiet_NaN(), 3, std::numeric_limits<float>::infinity()});
   const Cloud cloud = to_cloud(table, "test");
   EXPECT_EQ(cloud.size(), 4U);
   EXPECT_EQ(cloud.invalid, 2U);

@@ -15,7 +15,8 @@ std::vector<std::string> names(const PointTable& table) {
 using Names = std::vector<std::string>;
 
 TEST_F(TextPoints, ReadsEverySeparator) {
-  for (const char* content : {"1.5 2 3\n4 5 -6e-1\n", "1.5\t2\t3\r\n4\t5\t-0.6", "1.5,2,3\n4, 5, -.6\n", "1.5;2;3\n4 ; 5 ;-0.60\n", "  1.5   2 3 \n\n4 5 -0.6\n\n"}) {
+  for (const char* content : {"1.5 2 3\n4 5 -6e-1\n", "1.5\t2\t3\r\n4\t5\t-0.6", "1.5,2,3\n4, 5, -.6\n",
+                              "1.5;2;3\n4 ; 5 ;-0.60\n", "  1.5   2 3 \n\n4 5 -0.6\n\n"}) {
     for (const char* name : {"a.xyz", "a.txt", "a.csv", "a.asc", "a.unknown", "noextension"}) {
       const PointTable table = read(name, content);
       ASSERT_EQ(table.rows, 2U) << content;
@@ -36,8 +37,9 @@ TEST_F(TextPoints, KeepsCoordinatesInDoublePrecision) {
 }
 
 TEST_F(TextPoints, TakesNamesFromHeadersOfAllKinds) {
-  for (const char* header : {"x y z intensity\n", "X,Y,Z,I\n", "# x y z intensity\n", "//X Y Z i\n", "\"x\";\"y\";\"z\";\"intensity\"\n", "\xef\xbb\xbfx;y;z;intensity\n",
-                             "# written by a scanner\n\n#x,y,z,intensity\n"}) {
+  for (const char* header :
+       {"x y z intensity\n", "X,Y,Z,I\n", "# x y z intensity\n", "//X Y Z i\n", "\"x\";\"y\";\"z\";\"intensity\"\n",
+        "\xef\xbb\xbfx;y;z;intensity\n", "# written by a scanner\n\n#x,y,z,intensity\n"}) {
     const PointTable table = read("a.csv", header + std::string("1 2 3 0.5\n"));
     EXPECT_EQ(names(table), (Names{"x", "y", "z", "intensity"})) << header;
     EXPECT_EQ(table.value(table.columns[3], 0), 0.5);
@@ -54,12 +56,14 @@ TEST_F(TextPoints, NamesColumnsWithoutAHeaderByWhatTheyHold) {
   EXPECT_EQ(names(read("a.xyz", "1 2 3 0.5\n")), (Names{"x", "y", "z", "intensity"}));
   EXPECT_EQ(names(read("a.xyz", "1 2 3 255 0 128\n")), (Names{"x", "y", "z", "red", "green", "blue"}));
   EXPECT_EQ(names(read("a.xyz", "1 2 3 0.1 0.2 0.9\n")), (Names{"x", "y", "z", "scalar_3", "scalar_4", "scalar_5"}));
-  EXPECT_EQ(names(read("a.pts", "1 2 3 -900 255 0 128\n")), (Names{"x", "y", "z", "intensity", "red", "green", "blue"}));
+  EXPECT_EQ(names(read("a.pts", "1 2 3 -900 255 0 128\n")),
+            (Names{"x", "y", "z", "intensity", "red", "green", "blue"}));
   EXPECT_EQ(names(read("a.xyz", "1 2 3 255 0 128 0.5\n")), (Names{"x", "y", "z", "red", "green", "blue", "scalar_6"}));
 }
 
 TEST_F(TextPoints, ChoosesTheNarrowestTypeThatLosesNothing) {
-  const PointTable table = read("a.csv", "x,y,z,red,green,blue,label,big,weight\n1,2,3,255,0,7,-5,3000000000,0.1\n4,5,6,0,255,8,70000,1,0.2\n");
+  const PointTable table = read(
+      "a.csv", "x,y,z,red,green,blue,label,big,weight\n1,2,3,255,0,7,-5,3000000000,0.1\n4,5,6,0,255,8,70000,1,0.2\n");
   const auto type = [&](const char* name) { return table.find(name)->type; };
   EXPECT_EQ(type("red"), ScalarType::u8);
   EXPECT_EQ(type("label"), ScalarType::i32);
@@ -79,9 +83,11 @@ TEST_F(TextPoints, HoldsALeadingCountToItsWord) {
 TEST_F(TextPoints, ErrorsNameLineAndColumn) {
   EXPECT_EQ(error_of("a.xyz", "1 2 3\n4 5\n"), "a.xyz, line 2: no value for column 3");
   EXPECT_EQ(error_of("a.xyz", "1 2 3\n4 5 6 7\n"), "a.xyz, line 2: more than 3 values");
-  EXPECT_EQ(error_of("a.csv", "x,y,z\n1,2,3\n4,,6\n"), "a.csv, line 3: no value for column 2 ('y') (write nan where there is none)");
+  EXPECT_EQ(error_of("a.csv", "x,y,z\n1,2,3\n4,,6\n"),
+            "a.csv, line 3: no value for column 2 ('y') (write nan where there is none)");
   EXPECT_EQ(error_of("a.csv", "x,y,z\n1,2,3\n4,five,6\n"), "a.csv, line 3: 'five' is no number, column 2 ('y')");
-  EXPECT_EQ(error_of("a.csv", "1,5;2,5;3,5\n"), "a.csv, line 1: '1,5' is no number, and the line does not name columns x, y and z");
+  EXPECT_EQ(error_of("a.csv", "1,5;2,5;3,5\n"),
+            "a.csv, line 1: '1,5' is no number, and the line does not name columns x, y and z");
   EXPECT_EQ(error_of("a.txt", "Dear reader, this is a letter.\n"),
             "a.txt, line 1: 'Dear reader' is no number, and the line does not name columns x, y and z");
   EXPECT_EQ(error_of("a.csv", "x,y,z\n1,2,3,4\n"), "a.csv, line 2: 4 values, but 3 columns are named above");
@@ -102,7 +108,8 @@ TEST_F(TextPoints, WritesCsvThatReadsBackEqual) {
       for (std::size_t row = 0; row < table.rows; ++row) {
         const double expected = table.value(table.columns[i], row), got = back.value(back.columns[i], row);
         const bool equal = narrow ? static_cast<float>(got) == static_cast<float>(expected) : got == expected;
-        EXPECT_TRUE(equal || (std::isnan(expected) && std::isnan(got))) << table.columns[i].name << " " << row << ": " << got;
+        EXPECT_TRUE(equal || (std::isnan(expected) && std::isnan(got)))
+            << table.columns[i].name << " " << row << ": " << got;
       }
     }
   }
