@@ -26,7 +26,7 @@ TEST_F(BadKnowledge, IsNeverOverwrittenByKbInit) {
 }
 
 TEST_F(BadKnowledge, OfANewerVersionIsRefusedAndLeftAlone) {
-  edit("kb.gpkg", "UPDATE scenelore_meta SET value = 99");
+  edit("kb.gpkg", "UPDATE scenelore_meta SET schema_version = 99, oldest_reader = 99");
   const std::string before = read_file(folder_ / "kb.gpkg");
   const Finished finished = scenelore({"label", "@kb.gpkg"});
   EXPECT_EQ(finished.code, 4);
