@@ -10,13 +10,13 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kAgreeing = 0.9;        // cosine of 26 degrees
-constexpr double kSupport = 0.3;         // share of the judged points whose surroundings must agree
+constexpr double kSupport = 0.45;        // share of the judged points whose surroundings must agree
 constexpr double kFlatterThan = 0.997;   // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
 constexpr double kSteeperThan = 0.64;    // cosine of 50 degrees: an edge
 constexpr double kStep = 0.4;            // voxels, 2 cm
 constexpr double kContact = 0.2;         // share of a region's border cells that must continue into the neighbour
 
-/// Points whose 15 cm surroundings are a plane like the region's, and those whose surroundings are something else.
+/// Points whose 15 cm surroundings lie like the region, be they flat or noisy, and all points with surroundings to judge.
 struct Support {
   double agreeing = 0, judged = 0;
 };
@@ -32,12 +32,12 @@ struct Judge {
     std::vector<Support> result(regions.planes.size());
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const LocalSurface& s = surfaces[c];
-      if (s.rmse == 0 && !s.planar) continue;  // too few points to say anything
+      if (s.normal.isZero()) continue;  // too few points to say anything
       for (const std::uint32_t i : cells.items(c)) {
         const std::int32_t r = regions.of_point[i];
         if (r < 0) continue;
         result[r].judged += 1;
-        if (s.planar && std::abs(s.normal.dot(regions.planes[r].normal)) > kAgreeing) result[r].agreeing += 1;
+        if (std::abs(s.normal.dot(regions.planes[r].normal)) > kAgreeing) result[r].agreeing += 1;
       }
     }
     return result;
@@ -123,8 +123,8 @@ void drop_clutter(const Cloud& cloud, const CellIndex& cells, const std::vector<
   const auto contacts = judge.contacts(border);
   for (const auto& [pair, cells_in_contact] : contacts) {
     const auto [r, other] = pair;
-    // Large planes do not become doubtful by what leans against them.
-    if (regions.planes[r].spread_area() > 0.6 || regions.planes[r].count > 4 * regions.planes[other].count) continue;
+    // The largest facet stays, as the best plane that can be given; large planes do not become doubtful by their neighbours.
+    if (regions.planes[r].spread_area() > 0.35 || regions.planes[r].count > regions.planes[other].count) continue;
     if (cells_in_contact > kContact * border[r]) dropped[r] = true;
   }
   for (std::int32_t& r : regions.of_point) {

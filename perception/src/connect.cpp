@@ -19,8 +19,8 @@ double cell_size(double step, double spread) {
 
 class Connector {
  public:
-  Connector(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, const Limits& limits)
-      : cloud_(cloud), points_(points), step_(limits.max_point_distance), most_(std::max<std::size_t>(1, limits.max_neighbours)), axes_(plane.axes) {
+  Connector(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, double step, std::size_t max_neighbours)
+      : cloud_(cloud), points_(points), step_(step), most_(std::max<std::size_t>(1, max_neighbours)), axes_(plane.axes) {
     double spread = 0;
     for (const std::uint32_t i : points) spread = std::max(spread, std::abs(plane.distance(cloud.offset(i).cast<double>())));
     const double size = cell_size(step_, spread);
@@ -134,9 +134,9 @@ class Connector {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> connected_parts(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane,
-                                                        const Limits& limits) {
+                                                        double step, std::size_t max_neighbours) {
   if (points.empty()) return {};
-  return Connector(cloud, points, plane, limits).parts();
+  return Connector(cloud, points, plane, step, max_neighbours).parts();
 }
 
 }  // namespace scenelore::perception

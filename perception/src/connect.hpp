@@ -10,9 +10,9 @@
 namespace scenelore::perception {
 
 /// Splits points of one plane into parts. Within a part every point is reached from every other one by steps of at most
-/// `max_point_distance`. Of two cells of the plane at most `max_neighbours`² pairs of points are compared, so that two
+/// `step` metres. Of two cells of the plane at most `max_neighbours`² pairs of points are compared, so that two
 /// parts may stay apart that a longer search would have joined; never the other way round. Parts by falling size.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> connected_parts(const Cloud& cloud, std::span<const std::uint32_t> points,
-                                                                      const PlaneFit& plane, const Limits& limits);
+                                                                      const PlaneFit& plane, double step, std::size_t max_neighbours);
 
 }  // namespace scenelore::perception

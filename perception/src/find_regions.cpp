@@ -82,6 +82,7 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
     assign_points(cloud, cells, found.limits, false, threads, regions);
   }
   refit(cloud, regions);
+  bridge_shadows(cloud, cells, 6, found.limits.max_plane_distance / 3, kLargePlane, regions);
   drop_clutter(cloud, cells, finest, scale.voxel, regions);
   found.upright = estimate_upright(cloud, by_size(regions.planes), up, floor_z);
   split_thin_objects(cloud, found.upright, found.limits, regions);

@@ -21,7 +21,8 @@ void check_count(const std::optional<int>& value, const char* name, int lowest) 
   }
 }
 
-constexpr double kPointDistanceVoxels = 4;  // 20 cm at the usual voxel: shadows of table legs and cables are bridged
+constexpr double kPointDistanceVoxels = 12;  // 60 cm at the usual voxel: the shadow of a chair on the floor
+constexpr double kSmallStepVoxels = 4;       // 20 cm: that of a cable on a table, but not the gap between two tables
 constexpr double kFewestPoints = 20;        // of a keyboard at 3 m
 constexpr int kComparisons = 30;
 
@@ -40,6 +41,8 @@ Limits derive_limits(const SegmentationParameters& p, const Scale& scale, const 
   const double floor = scale.voxel / 50;
   const double high = std::max({noise.high, 1.2 * noise.typical, floor});
   limits.max_point_distance = p.max_point_distance.value_or(std::max(kPointDistanceVoxels * scale.voxel, 4 * scale.spacing));
+  limits.small_plane_step = std::min(limits.max_point_distance, std::max(kSmallStepVoxels * scale.voxel, 4 * scale.spacing));
+  if (p.max_point_distance) limits.small_plane_step = *p.max_point_distance;
   limits.max_plane_distance = p.max_plane_distance.value_or(3 * high);
   limits.plane_distance_given = p.max_plane_distance.has_value();
   limits.max_mse = p.max_mse.value_or(2 * high * high);

@@ -26,9 +26,8 @@ double joint_deviation(const Moments& a, const Moments& b, double noise) {
 
 constexpr double kMostDeviation = 1.25;
 
-}  // namespace
-
-void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double noise, Regions& regions) {
+template <typename Allowed>
+void merge_where(const Cloud& cloud, const CellIndex& cells, int reach, double noise, Allowed allowed, Regions& regions) {
   const std::size_t count = regions.planes.size();
   std::vector<Moments> moments(count);
   for (std::size_t i = 0; i < regions.of_point.size(); ++i) {
@@ -47,7 +46,7 @@ void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double
     std::vector<std::pair<double, Pair>> scored;
     for (const Pair& pair : pairs) {
       const std::int32_t a = root(pair.first), b = root(pair.second);
-      if (a == b || moments[a].n < 3 || moments[b].n < 3) continue;
+      if (a == b || moments[a].n < 3 || moments[b].n < 3 || !allowed(moments[a], moments[b])) continue;
       const double deviation = joint_deviation(moments[a], moments[b], noise);
       if (deviation < kMostDeviation) scored.emplace_back(deviation, Pair{std::min(a, b), std::max(a, b)});
     }
@@ -67,6 +66,20 @@ void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double
     if (r >= 0) r = root(r);
   }
   for (std::size_t r = 0; r < count; ++r) regions.planes[r] = fit_plane(parent[r] == static_cast<std::int32_t>(r) ? moments[r] : Moments());
+}
+
+}  // namespace
+
+void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double noise, Regions& regions) {
+  merge_where(cloud, cells, reach, noise, [](const Moments&, const Moments&) { return true; }, regions);
+}
+
+void bridge_shadows(const Cloud& cloud, const CellIndex& cells, int reach, double noise, double smallest, Regions& regions) {
+  const auto in_line = [smallest](const Moments& a, const Moments& b) {
+    const PlaneFit p = fit_plane_fast(a), q = fit_plane_fast(b);
+    return std::max(p.spread_area(), q.spread_area()) >= smallest && std::abs(p.normal.dot(q.normal)) > 0.985;  // 10 degrees
+  };
+  merge_where(cloud, cells, reach, noise, in_line, regions);
 }
 
 }  // namespace scenelore::perception

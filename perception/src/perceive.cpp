@@ -64,7 +64,7 @@ Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   result.upright = found.upright;
   const auto points = points_of_regions(found.regions.of_point, found.regions.planes.size());
   result.planes.resize(points.size());
-  const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.max_point_distance / 2)};
+  const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.small_plane_step / 2)};
   parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) result.planes[p] = describe(cloud, points[p], found.regions.planes[p], result.upright, describing);
   });

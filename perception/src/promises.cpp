@@ -41,7 +41,8 @@ std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<s
       continue;
     }
     if (plane.variances[0] > limits.max_mse) continue;
-    auto parts = connected_parts(cloud, points, plane, limits);
+    const double step = plane.spread_area() < kLargePlane ? limits.small_plane_step : limits.max_point_distance;
+    auto parts = connected_parts(cloud, points, plane, step, limits.max_neighbours);
     if (parts.size() == 1 && parts.front().size() == points.size()) {
       done.push_back({std::move(points), plane});
     } else {

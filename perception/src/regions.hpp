@@ -18,7 +18,11 @@ struct Limits {
   double min_points = 0;
   std::size_t max_neighbours = 0;
   bool plane_distance_given = false;  ///< by the user: then it alone decides, whatever the noise of a plane
+  double small_plane_step = 0;        ///< what connects the points of planes of less than kLargePlane; ≤ max_point_distance
 };
+
+/// m²; walls, floors and ceilings: their pieces are joined across shadows, those of tables are not.
+inline constexpr double kLargePlane = 2.5;
 
 struct Regions {
   std::vector<std::int32_t> of_point;  ///< −1 = none

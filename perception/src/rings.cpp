@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include "cell_index.hpp"
@@ -65,12 +66,24 @@ std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points, do
   const CellIndex cells(keys);
   std::vector<Eigen::Vector2d> kept;
   kept.reserve(cells.size());
+  const auto least = [&](std::span<const std::uint32_t> items, auto rank) {
+    return points[*std::min_element(items.begin(), items.end(), [&](auto a, auto b) { return rank(a) < rank(b); })];
+  };
   for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto items = cells.items(c);
+    const bool inner = cells.find(moved(cells.key(c), 1, 0, 0)) >= 0 && cells.find(moved(cells.key(c), -1, 0, 0)) >= 0 &&
+                       cells.find(moved(cells.key(c), 0, 1, 0)) >= 0 && cells.find(moved(cells.key(c), 0, -1, 0)) >= 0;
     const auto [x, y, z] = coordinates(cells.key(c));
     const Eigen::Vector2d center = cell * Eigen::Vector2d(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-    const auto rank = [&](std::uint32_t i) { return std::tuple((points[i] - center).squaredNorm(), points[i].x(), points[i].y()); };
-    const auto items = cells.items(c);
-    kept.push_back(points[*std::min_element(items.begin(), items.end(), [&](auto a, auto b) { return rank(a) < rank(b); })]);
+    if (inner || items.size() == 1) {
+      kept.push_back(least(items, [&](std::uint32_t i) { return std::tuple((points[i] - center).squaredNorm(), points[i].x(), points[i].y()); }));
+      continue;
+    }
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = direction * std::numbers::pi / 4;
+      const Eigen::Vector2d inwards(-std::cos(angle), -std::sin(angle));
+      kept.push_back(least(items, [&](std::uint32_t i) { return std::tuple(inwards.dot(points[i]), points[i].x(), points[i].y()); }));
+    }
   }
   return kept;
 }

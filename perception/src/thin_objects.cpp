@@ -15,7 +15,9 @@ constexpr double kLevel = 0.9945;          // cosine of 6 degrees
 constexpr double kCell = 0.04;             // metres
 constexpr double kHighest = 0.08;          // metres above the support
 constexpr double kLowest = 0.009;          // metres; papers and warped boards stay with their support
+constexpr double kLowerLevel = 0.3;        // of the points of the main level
 constexpr double kCertain = 4.5;           // deviations of a cell's mean
+constexpr double kCovering = 0.6;          // mean of all points of a patch's cells in units of its level
 constexpr double kSmallestPatch = 0.007;   // m², half a paperback
 
 struct Sample {
@@ -29,6 +31,7 @@ struct Support {
   Eigen::Vector3d normal, centroid;
   Eigen::Vector3d u, v;
   double noise = 0;  // metres, of its own points
+  bool level = false;
 
   [[nodiscard]] Sample sample(const Cloud& cloud, std::uint32_t i) const {
     const Eigen::Vector3d d = cloud.offset(i).cast<double>() - centroid;
@@ -40,17 +43,25 @@ CellKey key_at(const Eigen::Vector2d& p) {
   return cell_key(static_cast<std::int64_t>(std::floor(p.x() / kCell)), static_cast<std::int64_t>(std::floor(p.y() / kCell)), 0);
 }
 
-/// The height where most samples lie: the middle of the fullest window of 6 mm; then the mean around it.
-double main_level(std::vector<double> heights) {
+/// The height of the support itself: the middle of the fullest window of 6 mm. With `lowest`, that of the lowest peak with
+/// 30 % as many points, where a valley lies between: of two desks that stand side by side the lower one carries.
+double main_level(std::vector<double> heights, bool lowest) {
   constexpr double window = 0.006;
   std::sort(heights.begin(), heights.end());
-  std::size_t best = 0, from = 0;
-  double level = heights[heights.size() / 2];
-  for (std::size_t to = 0; to < heights.size(); ++to) {
+  std::vector<std::size_t> held(heights.size());  // samples in the window that ends at each one
+  std::size_t best = 0;
+  for (std::size_t from = 0, to = 0; to < heights.size(); ++to) {
     while (heights[to] - heights[from] > window) ++from;
-    if (to - from > best) best = to - from, level = (heights[from] + heights[to]) / 2;
+    held[to] = to - from + 1;
+    if (held[to] > held[best]) best = to;
   }
-  return level;
+  std::size_t peak = 0;
+  for (std::size_t to = 0; lowest && to < best; ++to) {
+    if (held[to] > held[peak]) peak = to;
+    const bool valley = 2 * held[to] < held[peak] && held[peak] >= 20;
+    if (valley && static_cast<double>(held[peak]) > kLowerLevel * static_cast<double>(held[best])) return heights[peak] - window / 2;
+  }
+  return heights[best] - window / 2;
 }
 
 /// Scatter below the level, where nothing lies: its mirror image is what the support would scatter without things on it.
@@ -82,6 +93,22 @@ struct CellMean {
   double n = 0, sum = 0;
 };
 
+/// What does not average out: warped tops, distortion of the camera. Things lie on one side only, so the places below the
+/// middle tell how far the means over 3×3 cells scatter beyond what the noise of their points explains.
+double waviness(const std::vector<CellMean>& wide, double noise) {
+  std::vector<double> means;
+  double noise_squares = 0;
+  for (const CellMean& m : wide) {
+    if (m.n < 15) continue;
+    means.push_back(m.sum / m.n);
+    noise_squares += noise * noise / m.n;
+  }
+  if (means.size() < 20) return 0;
+  std::sort(means.begin(), means.end());
+  const double scatter = means[means.size() * 2 / 5] - means[means.size() / 10];  // one deviation of a Gaussian
+  return std::sqrt(std::max(0.0, scatter * scatter - noise_squares / static_cast<double>(means.size())));
+}
+
 void Splitter::split(const Support& support, const std::vector<Sample>& samples) {
   std::vector<CellKey> keys(samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k) keys[k] = key_at(samples[k].at);
@@ -90,17 +117,21 @@ void Splitter::split(const Support& support, const std::vector<Sample>& samples)
   for (std::size_t c = 0; c < cells.size(); ++c) {
     for (const std::uint32_t k : cells.items(c)) means[c].n += 1, means[c].sum += samples[k].height;
   }
+  std::vector<CellMean> wide(cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (int d = 0; d < 9; ++d) {
+      const std::int32_t n = cells.find(moved(cells.key(c), d / 3 - 1, d % 3 - 1, 0));
+      if (n >= 0) wide[c].n += means[n].n, wide[c].sum += means[n].sum;
+    }
+  }
+  const double lowest = std::max(kLowest, 3 * waviness(wide, support.noise));
   // A cell counts as raised when the mean of its points and of those around it is.
   std::vector<bool> raised(cells.size(), false);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    CellMean around;
-    for (int d = 0; d < 9; ++d) {
-      const std::int32_t n = cells.find(moved(cells.key(c), d / 3 - 1, d % 3 - 1, 0));
-      if (n >= 0) around.n += means[n].n, around.sum += means[n].sum;
-    }
-    const double own = means[c].sum / means[c].n, wide = around.sum / around.n;
-    const double limit = std::max(kLowest, kCertain * support.noise / std::sqrt(around.n));
-    raised[c] = wide > limit * 0.7 && own > std::max(kLowest, 2 * support.noise / std::sqrt(means[c].n)) && around.n >= 5;
+    const CellMean& around = wide[c];
+    const double own = means[c].sum / means[c].n, mean = around.sum / around.n;
+    const double limit = std::max(lowest, kCertain * support.noise / std::sqrt(around.n));
+    raised[c] = mean > limit * 0.7 && own > std::max(lowest, 2 * support.noise / std::sqrt(means[c].n)) && around.n >= 5;
   }
   std::vector<bool> seen(cells.size(), false);
   for (std::size_t first = 0; first < cells.size(); ++first) {
@@ -115,7 +146,8 @@ void Splitter::split(const Support& support, const std::vector<Sample>& samples)
         patch.push_back(n);
       }
     }
-    make_region(cells, samples, patch, support.noise);
+    // What covers most of a wall is the wall; desks of two heights may stand side by side.
+    if (support.level || 2 * patch.size() < cells.size()) make_region(cells, samples, patch, support.noise);
   }
 }
 
@@ -123,14 +155,18 @@ void Splitter::make_region(const CellIndex& cells, const std::vector<Sample>& sa
                            const std::vector<std::int32_t>& patch, double noise) {
   // Half way up belongs to the thing; the level itself is found from what lies above.
   std::vector<double> heights;
+  CellMean everything;
   for (const std::int32_t c : patch) {
     for (const std::uint32_t k : cells.items(static_cast<std::size_t>(c))) {
       if (samples[k].height > kLowest) heights.push_back(samples[k].height);
+      everything.n += 1, everything.sum += samples[k].height;
     }
   }
   if (static_cast<double>(heights.size()) < limits_.min_points) return;
   std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2), heights.end());
   const double level = heights[heights.size() / 2];
+  // Picking the high points out of noise gives a level too; then there are as many low ones in the same place.
+  if (everything.sum < kCovering * level * everything.n) return;
   Moments moments;
   std::vector<std::uint32_t> points;
   double squares = 0, sum = 0;
@@ -206,6 +242,7 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
     const std::optional<Eigen::Vector3d> towards_room = front(cloud, plane, up);
     if (!towards_room) continue;
     Support support;
+    support.level = level;
     support.normal = level ? up : *towards_room;
     support.centroid = plane.centroid;
     support.u = plane.axes.col(1) - support.normal * support.normal.dot(plane.axes.col(1));
@@ -217,7 +254,7 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
       own.push_back(support.sample(cloud, i));
       heights.push_back(own.back().height);
     }
-    const double main = main_level(heights);
+    const double main = main_level(heights, level);
     support.noise = std::max(0.0015, noise_below(own, main));
     support.centroid += main * support.normal;
     std::vector<CellKey> near;

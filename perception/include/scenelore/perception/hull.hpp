@@ -19,7 +19,8 @@ struct Outline {
   double covered = 0;        ///< share of the hull's points that the outline holds; < 1 when only the largest part was kept
 };
 
-/// One point per square cell: the one nearest to the cell's centre, ties by coordinates; independent of their order.
+/// One point per square cell, the one nearest to the cell's centre; of cells at the rim (with an empty one beside them) the
+/// points furthest out in eight directions, since the hull would shrink by half a cell otherwise. Independent of their order.
 [[nodiscard]] std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points, double cell);
 
 /// Alpha shape (Edelsbrunner et al. 1983) for alpha = radius²: the Delaunay triangles whose circumradius is at most

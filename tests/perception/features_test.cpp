@@ -1,0 +1,226 @@
+#include "scenelore/perception/features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "planar_scenes.hpp"
+#include "scenelore/perception/perceive.hpp"
+#include "promise_checks.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+using testing::Random;
+using testing::room;
+using testing::Scene;
+using Vector = Eigen::Vector3d;
+
+/// Least squares by hand, in another way than the module's moments.
+PlaneFit fit(const Cloud& cloud) {
+  PlaneFit plane;
+  for (std::size_t i = 0; i < cloud.size(); ++i) plane.centroid += cloud.offset(i).cast<double>() / static_cast<double>(cloud.size());
+  Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Vector d = cloud.offset(i).cast<double>() - plane.centroid;
+    c += d * d.transpose() / static_cast<double>(cloud.size());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(c);
+  plane.count = static_cast<double>(cloud.size());
+  plane.variances = solver.eigenvalues().cwiseMax(0);
+  plane.axes = solver.eigenvectors();
+  plane.normal = plane.axes.col(0);
+  plane.offset = plane.normal.dot(plane.centroid);
+  return plane;
+}
+
+Plane describe_all(const Cloud& cloud, const Upright& upright = {}) {
+  std::vector<std::uint32_t> points(cloud.size());
+  std::iota(points.begin(), points.end(), 0U);
+  return describe(cloud, points, fit(cloud), upright);
+}
+
+/// A table top of grid points, 1.6 × 0.8 m, in the plane z = 0.75, turned by `turn` about its centre.
+Cloud top(const Eigen::Quaterniond& turn, double noise = 0) {
+  Scene scene;
+  Random random(1);
+  for (double x = -0.8; x <= 0.801; x += 0.02) {
+    for (double y = -0.4; y <= 0.401; y += 0.02) scene.add(turn * Vector(x, y, noise * random.normal()) + Vector(3, 2, 0.75), 0);
+  }
+  return scene.cloud;
+}
+
+TEST(Describe, GivesTheFeaturesOfATableTop) {
+  const Plane p = describe_all(top(Eigen::Quaterniond::Identity()), {.floor_z = 0.05});
+  EXPECT_NEAR(p.area_m2, 1.28, 1e-4);
+  EXPECT_NEAR(p.length, 1.6, 1e-4);
+  EXPECT_NEAR(p.width, 0.8, 1e-4);
+  EXPECT_NEAR(p.rectangularity, 1, 0.002);
+  EXPECT_NEAR(p.tilt_deg, 0, 1e-3);
+  EXPECT_NEAR(p.height, 0.7, 1e-5);
+  EXPECT_NEAR(p.z_min, 0.7, 1e-5);
+  EXPECT_NEAR(p.z_max, 0.7, 1e-5);
+  EXPECT_NEAR(p.facing_up, 1, 1e-6);
+  EXPECT_NEAR(p.rmse, 0, 1e-6);
+  EXPECT_NEAR(p.seen_share, 1, 1e-9);
+  EXPECT_EQ(p.point_count, 81U * 41U);
+  EXPECT_NEAR(p.point_density, 81 * 41 / 1.28, 1);
+  EXPECT_TRUE(p.centroid.isApprox(Vector(3, 2, 0.75), 1e-5));
+}
+
+TEST(Describe, FollowsThePlaneThroughEveryRotation) {
+  Random random(3);
+  for (int i = 0; i < 25; ++i) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+    const Plane p = describe_all(top(turn, 0.002));
+    EXPECT_NEAR(p.area_m2, 1.28, 0.01);
+    EXPECT_NEAR(p.length, 1.6, 0.01);
+    EXPECT_NEAR(p.width, 0.8, 0.01);
+    EXPECT_NEAR(p.rmse, 0.002, 0.0003);
+    EXPECT_GE(p.normal.z(), -1e-3) << "the upper half space";
+    EXPECT_NEAR(std::abs(p.normal.dot(turn * Vector::UnitZ())), 1, 1e-4);
+    EXPECT_NEAR(p.tilt_deg, std::acos(std::min(1.0, std::abs((turn * Vector::UnitZ()).z()))) * 180 / std::numbers::pi, 0.5);
+    const Eigen::Matrix3d axes = p.orientation.toRotationMatrix();
+    EXPECT_NEAR(axes.determinant(), 1, 1e-9);
+    EXPECT_TRUE(axes.col(2).isApprox(p.normal, 1e-6)) << "local z is the normal";
+    EXPECT_NEAR(std::abs(axes.col(1).dot(turn * Vector::UnitX())), 1, 1e-3) << "local y is the longest axis";
+    for (const Vector& corner : p.hull.outer) EXPECT_NEAR(p.normal.dot(corner - p.centroid), 0, 1e-9) << "the hull lies on the plane";
+  }
+}
+
+TEST(Describe, TurnsTheNormalTowardsTheSensor) {
+  Cloud cloud = top(Eigen::Quaterniond::Identity());
+  cloud.viewpoint = Vector(0, 0, -5);
+  const Plane p = describe_all(cloud);
+  EXPECT_LT(p.normal.z(), 0);
+  EXPECT_NEAR(p.facing_up, -1, 1e-6);
+}
+
+TEST(Describe, TellsHowMuchOfTheHullWasSeen) {
+  Scene scene;
+  for (int x = 0; x <= 20; ++x) {
+    for (int y = 0; y <= 20; ++y) scene.add(Vector(0.1 * x, 0.1 * y, 0), 0);
+  }
+  const Plane p = describe_all(scene.cloud);
+  EXPECT_NEAR(p.area_m2, 4, 1e-5);
+  EXPECT_NEAR(p.seen_share, 0.25, 0.05) << "one point every 10 cm, cells of 5 cm";
+}
+
+TEST(Describe, TakesDegeneratePlanes) {
+  Scene line, one;
+  for (int i = 0; i < 50; ++i) line.add(Vector(0.02 * i, 0, 1), 0);
+  const Plane p = describe_all(line.cloud);
+  EXPECT_TRUE(p.hull.outer.empty());
+  EXPECT_EQ(p.area_m2, 0);
+  EXPECT_EQ(p.rectangularity, 0);
+  EXPECT_NEAR(p.length, 0.98, 1e-5);
+  for (int i = 0; i < 3; ++i) one.add(Vector(1, 2, 3), 0);
+  const Plane q = describe_all(one.cloud);
+  EXPECT_EQ(q.area_m2, 0);
+  EXPECT_EQ(q.length, 0);
+  EXPECT_TRUE(std::isfinite(q.tilt_deg));
+}
+
+TEST(EstimateUpright, LeavesALevelScanAsItIs) {
+  const Scene scene = room(0.01);
+  const Perception p = perceive(scene.cloud);
+  EXPECT_TRUE(p.upright.rotation.isApprox(Eigen::Quaterniond::Identity(), 0)) << "not turned at all";
+  EXPECT_TRUE(p.upright.floor_found);
+  EXPECT_NEAR(p.upright.floor_z, 0, 0.005);
+  EXPECT_GT(p.upright.confidence, 0.7);
+  EXPECT_FALSE(p.upright.explanation.empty());
+}
+
+TEST(EstimateUpright, PutsATiltedScanRight) {
+  const Scene scene = room(0.01);
+  for (int i = 0; i < 6; ++i) {
+    const Vector axis(std::cos(i), std::sin(i), 0);
+    const Eigen::Isometry3d tilt(Eigen::AngleAxisd((2 + 1.6 * i) * std::numbers::pi / 180, axis));
+    const Perception p = perceive(scene.moved(tilt).cloud);
+    const Vector up = p.upright.rotation * (tilt.rotation() * Vector::UnitZ());
+    EXPECT_LT(std::acos(std::min(1.0, up.z())) * 180 / std::numbers::pi, 0.5) << "tilt " << 2 + 1.6 * i;
+    EXPECT_NEAR(p.upright.floor_z, 0, 0.02);
+  }
+}
+
+TEST(EstimateUpright, SaysWhenNoFloorIsVisible) {
+  Scene scene;
+  Random random(2);
+  scene.add_rectangle(Vector(0, 0, 0.3), Vector(4, 0, 0), Vector(0, 0, 2.2), 2000, 0.005, 0, random);
+  scene.add_rectangle(Vector(0, 0, 0.3), Vector(0, 3, 0), Vector(0, 0, 2.2), 2000, 0.005, 1, random);
+  const Perception p = perceive(scene.cloud);
+  EXPECT_FALSE(p.upright.floor_found);
+  EXPECT_NEAR(p.upright.floor_z, 0.3, 0.03);
+  ASSERT_FALSE(p.warnings.empty());
+  EXPECT_NE(p.warnings.back().find("floor"), std::string::npos);
+}
+
+TEST(EstimateUpright, TakesTheLowestOfSeveralFloorLevels) {
+  Scene scene;
+  Random random(2);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 3, 0), 2000, 0.005, 0, random);
+  scene.add_rectangle(Vector(2, 0, 0.45), Vector(3, 0, 0), Vector(0, 3, 0), 2000, 0.005, 1, random);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(0, 3, 0), Vector(0, 0, 2.5), 2000, 0.005, 2, random);
+  EXPECT_NEAR(perceive(scene.cloud).upright.floor_z, 0, 0.01);
+}
+
+TEST(EstimateUpright, TakesWhatIsGiven) {
+  PerceptionOptions options;
+  options.up = Vector(0, 1, 0);
+  options.floor_z = -1.5;
+  const Perception p = perceive(room(0.01).cloud, options);
+  EXPECT_TRUE((p.upright.rotation * Vector::UnitY()).isApprox(Vector::UnitZ(), 1e-9));
+  EXPECT_EQ(p.upright.floor_z, -1.5);
+  options.up = Vector::Zero();
+  EXPECT_ANY_THROW((void)perceive(room(0.01, 100).cloud, options));
+}
+
+TEST(Perceive, DescribesARoomAndIsTheSameForAnyNumberOfThreads) {
+  const Scene scene = room(0.008);
+  PerceptionOptions options;
+  options.threads = 1;
+  const Perception one = perceive(scene.cloud, options);
+  testing::expect_promises(scene.cloud, one.parameters, one.plane_of_point);
+  ASSERT_EQ(one.planes.size(), 7U);
+  const Plane& table = one.planes.back();
+  EXPECT_NEAR(table.height, 0.74, 0.005);
+  EXPECT_NEAR(table.length, 1.6, 0.05);
+  EXPECT_NEAR(table.width, 0.8, 0.05);
+  EXPECT_NEAR(table.area_m2, 1.28, 0.06);
+  for (const int threads : {2, 4}) {
+    options.threads = threads;
+    const Perception other = perceive(scene.cloud, options);
+    EXPECT_EQ(one.plane_of_point, other.plane_of_point);
+    for (std::size_t i = 0; i < one.planes.size(); ++i) {
+      EXPECT_EQ(one.planes[i].area_m2, other.planes[i].area_m2);
+      EXPECT_EQ(one.planes[i].centroid, other.planes[i].centroid);
+    }
+  }
+}
+
+TEST(Perceive, WarnsAboutMillimetres) {
+  Scene scene;
+  const Scene metres = room(0.005, 800);
+  for (std::size_t i = 0; i < metres.cloud.size(); ++i) scene.add(1000 * metres.cloud.position(i), metres.truth[i]);
+  const Perception p = perceive(scene.cloud);
+  ASSERT_FALSE(p.warnings.empty());
+  EXPECT_NE(p.warnings.front().find("millimetres"), std::string::npos) << p.warnings.front();
+  EXPECT_GE(p.planes.size(), 6U);
+}
+
+TEST(Perceive, FindsNoPlanesInNothingAndSaysSo) {
+  Scene scene;
+  for (int i = 0; i < 10; ++i) scene.add(Vector(i, 2 * i, 0), 0);
+  scene.add(Vector::Constant(std::nan("")), -1);
+  const Perception p = perceive(scene.cloud);
+  EXPECT_TRUE(p.planes.empty());
+  EXPECT_EQ(p.plane_of_point, std::vector<std::int32_t>(11, -1));
+  EXPECT_EQ(p.warnings.size(), 2U) << "one for the invalid point, one for the planes";
+}
+
+}  // namespace
+}  // namespace scenelore::perception
