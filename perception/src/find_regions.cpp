@@ -18,6 +18,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr int kLevels = 3;              // voxels of 1, 2 and 4 times the finest size
+constexpr int kRounds = 3;              // of merging and assigning; later ones change next to nothing
 constexpr double kFewestToGrow = 12;    // points of a region while it is still growing
 
 /// Regions of one level become regions of points: those of the voxel that lie near enough to its plane.
@@ -75,7 +76,7 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
     // What growing left along the edges must not become regions of its own on the next level.
     assign_points(cloud, cells, found.limits, true, threads, regions);
   }
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     refit(cloud, regions);
     merge_regions(cloud, cells, 2, found.limits.max_plane_distance / 3, regions);
     absorb_fragments(cloud, cells, found.limits, regions);
@@ -84,6 +85,8 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
   refit(cloud, regions);
   bridge_shadows(cloud, cells, 6, found.limits.max_plane_distance / 3, kLargePlane, regions);
   drop_clutter(cloud, cells, finest, scale.voxel, regions);
+  assign_points(cloud, cells, found.limits, true, threads, regions);  // what clutter held may belong to what is left
+  refit(cloud, regions);
   found.upright = estimate_upright(cloud, by_size(regions.planes), up, floor_z);
   split_thin_objects(cloud, found.upright, found.limits, regions);
   keep_promises(cloud, found.limits, threads, regions);

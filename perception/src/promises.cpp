@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "cell_index.hpp"
 #include "connect.hpp"
 #include "parallel.hpp"
 
@@ -21,6 +22,25 @@ bool trim(const Cloud& cloud, const PlaneFit& plane, double limit, std::vector<s
   const std::size_t before = points.size();
   std::erase_if(points, [&](std::uint32_t i) { return !(std::abs(plane.distance(cloud.offset(i).cast<double>())) <= limit); });
   return points.size() == before;
+}
+
+constexpr double kNarrowest = 0.08;  // metres; edges of tables and door frames are no planes of their own
+constexpr double kThinnest = 0.12;   // rmse over width
+constexpr double kFilled = 0.5;      // share of the rectangle of its spread that a plane must fill
+
+/// Legs, frames and leftovers: sets of points that are flat, but no surface. Measured in cells wide enough to hold four
+/// points of an evenly seen surface, of which then 98 % are occupied.
+bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane) {
+  const double width = std::sqrt(12 * plane.variances[1]), area = plane.spread_area();
+  if (width < kNarrowest || plane.rmse() > kThinnest * width) return true;
+  if (area > kLargePlane) return false;
+  const double cell = std::max(0.03, 2 * std::sqrt(area / static_cast<double>(points.size())));
+  std::vector<CellKey> keys;
+  for (const std::uint32_t i : points) {
+    const Eigen::Vector3d d = (plane.axes.transpose() * (cloud.offset(i).cast<double>() - plane.centroid)) / cell;
+    keys.push_back(cell_key(static_cast<std::int64_t>(std::floor(d[1])), static_cast<std::int64_t>(std::floor(d[2])), 0));
+  }
+  return static_cast<double>(CellIndex(keys).size()) * cell * cell < kFilled * area;
 }
 
 /// Works off a stack of candidate sets; each step only ever removes or separates points, so it ends.
@@ -44,7 +64,7 @@ std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<s
     const double step = plane.spread_area() < kLargePlane ? limits.small_plane_step : limits.max_point_distance;
     auto parts = connected_parts(cloud, points, plane, step, limits.max_neighbours);
     if (parts.size() == 1 && parts.front().size() == points.size()) {
-      done.push_back({std::move(points), plane});
+      if (!is_scrap(cloud, points, plane)) done.push_back({std::move(points), plane});
     } else {
       for (auto& part : parts) open.push_back(std::move(part));
     }

@@ -6,7 +6,7 @@
 namespace scenelore::perception {
 
 /// Splits, trims and drops regions until every one keeps all limits, and numbers them by falling point count, ties by
-/// position. A region in `fixed_normal` terms needs nothing special: its plane is fitted to its points like any other.
+/// position. What is too narrow, too thick or too loosely filled to be a surface (edges, legs, frames) is dropped.
 void keep_promises(const Cloud& cloud, const Limits& limits, int threads, Regions& regions);
 
 }  // namespace scenelore::perception

@@ -65,13 +65,16 @@ double main_level(std::vector<double> heights, bool lowest) {
 }
 
 /// Scatter below the level, where nothing lies: its mirror image is what the support would scatter without things on it.
+/// By the quantile that is one deviation of a Gaussian, which edges and what stands behind hardly move.
 double noise_below(const std::vector<Sample>& samples, double level) {
-  double squares = 0, n = 0;
+  std::vector<double> below;
   for (const Sample& s : samples) {
-    const double d = s.height - level;
-    if (d < 0 && d > -0.04) squares += d * d, n += 1;
+    if (s.height < level && s.height > level - 0.05) below.push_back(level - s.height);
   }
-  return n < 5 ? 0.003 : std::sqrt(squares / n);
+  if (below.size() < 5) return 0.003;
+  const auto at = below.begin() + static_cast<std::ptrdiff_t>(0.683 * static_cast<double>(below.size()));
+  std::nth_element(below.begin(), at, below.end());
+  return *at;
 }
 
 class Splitter {
@@ -139,8 +142,8 @@ void Splitter::split(const Support& support, const std::vector<Sample>& samples)
     std::vector<std::int32_t> patch{static_cast<std::int32_t>(first)};
     seen[first] = true;
     for (std::size_t next = 0; next < patch.size(); ++next) {
-      for (int d = 0; d < 25; ++d) {
-        const std::int32_t n = cells.find(moved(cells.key(static_cast<std::size_t>(patch[next])), d / 5 - 2, d % 5 - 2, 0));
+      for (int d = 0; d < 9; ++d) {
+        const std::int32_t n = cells.find(moved(cells.key(static_cast<std::size_t>(patch[next])), d / 3 - 1, d % 3 - 1, 0));
         if (n < 0 || !raised[n] || seen[n]) continue;
         seen[n] = true;
         patch.push_back(n);
@@ -282,6 +285,12 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
       }
     }
     splitter.split(support, own);
+    if (!level) continue;
+    // Rays graze tops, whose noise is far below that of a single range: edges and feet need not come along.
+    const double reach = std::max(kLowest, 4 * support.noise);
+    for (const Sample& s : own) {
+      if (regions.of_point[s.point] == r && std::abs(s.height) > reach) regions.of_point[s.point] = -1;
+    }
   }
   refit(cloud, regions);
 }
