@@ -88,7 +88,9 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
   assign_points(cloud, cells, found.limits, true, threads, regions);  // what clutter held may belong to what is left
   refit(cloud, regions);
   found.upright = estimate_upright(cloud, by_size(regions.planes), up, floor_z);
+  const std::size_t supports = regions.planes.size();
   split_thin_objects(cloud, found.upright, found.limits, regions);
+  join_level_pieces(cloud, cells, 3, found.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, regions);
   keep_promises(cloud, found.limits, threads, regions);
   return found;
 }

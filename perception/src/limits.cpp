@@ -22,7 +22,7 @@ void check_count(const std::optional<int>& value, const char* name, int lowest) 
 }
 
 constexpr double kPointDistanceVoxels = 12;  // 60 cm at the usual voxel: the shadow of a chair on the floor
-constexpr double kSmallStepVoxels = 4;       // 20 cm: that of a cable on a table, but not the gap between two tables
+constexpr double kSmallStepVoxels = 6;       // 30 cm: that of a screen on a table, but not the way between two tables
 constexpr double kFewestPoints = 20;        // of a keyboard at 3 m
 constexpr int kComparisons = 30;
 

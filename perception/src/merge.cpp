@@ -82,4 +82,27 @@ void bridge_shadows(const Cloud& cloud, const CellIndex& cells, int reach, doubl
   merge_where(cloud, cells, reach, noise, in_line, regions);
 }
 
+void join_level_pieces(const Cloud& cloud, const CellIndex& cells, int reach, const Eigen::Vector3d& up, std::size_t count, Regions& regions) {
+  constexpr double kSameHeight = 0.007;  // metres; what lies on a table is at least 9 mm higher
+  constexpr double kKeyboard = 0.12;     // m²; thin things smaller than this stay what they are
+  const auto level = [&](const PlaneFit& plane) { return plane.count > 0 && std::abs(plane.normal.dot(up)) > 0.9945; };
+  std::vector<std::int32_t> parent(regions.planes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t r) {
+    while (parent[r] != r) r = parent[r] = parent[parent[r]];
+    return r;
+  };
+  for (const auto& [first, second] : touching_regions(cells, reach, regions.of_point)) {
+    const PlaneFit &a = regions.planes[first], &b = regions.planes[second];
+    if (static_cast<std::size_t>(second) >= count && b.spread_area() < kKeyboard) continue;
+    if (!level(a) || !level(b) || std::abs(up.dot(a.centroid - b.centroid)) > kSameHeight) continue;
+    const std::int32_t p = root(first), q = root(second);
+    parent[std::max(p, q)] = std::min(p, q);
+  }
+  for (std::int32_t& r : regions.of_point) {
+    if (r >= 0) r = root(r);
+  }
+  refit(cloud, regions);
+}
+
 }  // namespace scenelore::perception
