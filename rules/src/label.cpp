@@ -1,10 +1,12 @@
 // Solve, then ask the solver again what each plane would be otherwise, and tell why.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
 
+#include "flip_costs.hpp"
 #include "reasons.hpp"
 #include "scenelore/rules/labelling.hpp"
 
@@ -39,7 +41,11 @@ void add_alternatives(const Case& about, const World& best, engine::Solver& solv
   }
 }
 
-/// The best world in which each plane is something else; nothing where there is none or the time is up.
+/// Margins are told up to this many nats (odds of 22,000 to 1). Proving how much dearer than that another class would be
+/// takes most of the time of a relabelling and tells a person nothing.
+constexpr double kMarginReach = 10;
+
+/// The best world in which each plane is something else; nothing where there is none within reach or the time is up.
 std::vector<std::optional<World>> rivals(const Case& about, const World& best, engine::Solver& solver, double seconds) {
   const Clock::time_point start = Clock::now();
   std::vector<std::optional<World>> out(at(about.planes()));
@@ -48,23 +54,53 @@ std::vector<std::optional<World>> rivals(const Case& about, const World& best, e
     if (about.compiled.class_of_label[at(variable)].size() < 2) continue;
     if (std::chrono::duration<double>(Clock::now() - start).count() > seconds) break;
     const int label = about.compiled.label_of_class[at(variable)][at(best.class_of(plane))];
-    const engine::Solution other = solver.solve({.fixed = {}, .forbidden = {{variable, label}}});
+    const engine::Solution other = 
+        solver.solve({.fixed = {}, .forbidden = {{variable, label}}, .below = best.cost() + kMarginReach});
     if (!other.assignment.empty()) out[at(plane)].emplace(about, other);
   }
   return out;
 }
 
-kb::Label label_of(const Case& about, const World& best, const std::optional<World>& rival,
-                   const std::vector<std::vector<double>>& probability, int plane) {
+/// Adjusted probability of each plane's label. Exact where the engine can sum over all worlds. Where it cannot, from the
+/// best world with each other label, e^−(extra cost): that of the runner-up is known exactly, those of the other labels
+/// are taken as the cost of changing this label alone, so that they are if anything too dear.
+class Probabilities {
+ public:
+  Probabilities(const Case& about, engine::Solver& solver, const engine::Solution& best)
+      : about_(about), best_(best), summed_(solver.marginals(1)), flips_(flip_costs(about.compiled.problem, best.assignment)) {}
+
+  [[nodiscard]] double of(int plane, const std::optional<World>& rival) const {
+    const int variable = about_.compiled.variable_of_plane[at(plane)], label = best_.assignment[at(variable)];
+    const double summed = summed_.probability[at(variable)][at(label)];
+    if (summed_.exact || summed < 1) return std::clamp(summed, 0.0, 1.0);
+    double others = 0;
+    const double margin = rival ? std::max(0.0, rival->cost() - best_.cost) : 0;
+    for (int l = 0; l < static_cast<int>(flips_[at(variable)].size()); ++l) {
+      if (l == label) continue;
+      const int object_class = about_.compiled.class_of_label[at(variable)][at(l)];
+      const bool is_rival = rival && rival->class_of(plane) == object_class;
+      others += std::exp(is_rival ? -margin : -std::max(flips_[at(variable)][at(l)], margin));
+    }
+    return 1 / (1 + others);
+  }
+
+ private:
+  const Case& about_;
+  const engine::Solution& best_;
+  engine::Marginals summed_;
+  std::vector<std::vector<double>> flips_;
+};
+
+kb::Label label_of(const Case& about, const World& best, const std::optional<World>& rival, double probability, int plane) {
   const int variable = about.compiled.variable_of_plane[at(plane)];
-  const int label = about.compiled.label_of_class[at(variable)][at(best.class_of(plane))];
   kb::Label out{.plane = about.id(plane), .object_class = about.class_name(best.class_of(plane)),
-                .probability = std::clamp(probability[at(variable)][at(label)], 0.0, 1.0)};
+                .probability = probability};
   if (rival) {
     out.margin = std::max(0.0, rival->cost() - best.cost());
     out.runner_up = about.class_name(rival->class_of(plane));
-  } else if (about.compiled.class_of_label[at(variable)].size() < 2) {
-    out.margin = std::numeric_limits<double>::infinity();
+  } else {
+    const bool fixed = about.compiled.class_of_label[at(variable)].size() < 2;
+    out.margin = fixed ? std::numeric_limits<double>::infinity() : kMarginReach;
   }
   return out;
 }
@@ -90,10 +126,11 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   const Case about{knowledge, scene, evidence, index, compiled};
   const World best(about, solution);
   const auto other_worlds = rivals(about, best, solver, options.solver.limits.seconds);
-  const auto probability = solver.marginals().probability;
+  const Probabilities probabilities(about, solver, solution);
   std::vector<double> margins;
   for (int plane = 0; plane < about.planes(); ++plane) {
-    out.labels.push_back(label_of(about, best, other_worlds[at(plane)], probability, plane));
+    const auto& rival = other_worlds[at(plane)];
+    out.labels.push_back(label_of(about, best, rival, probabilities.of(plane, rival), plane));
     margins.push_back(out.labels.back().margin);
   }
   add_alternatives(about, best, solver, options.alternatives, out);

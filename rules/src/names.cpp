@@ -1,6 +1,8 @@
 #include "names.hpp"
 
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 
 #include "scenelore/rules/error.hpp"
 #include "suggestion.hpp"
@@ -29,8 +31,19 @@ double number_setting(const kb::Knowledge& knowledge, const std::string& key, do
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return value;
-  throw Error("setting '" + key + "' is '" + text + "'; it must be a number from " + std::to_string(low) + " to " +
-              std::to_string(high));
+  throw Error("setting '" + key + "' is '" + text + "'; it must be a number from " + number(low) + " to " + number(high));
+}
+
+std::string number(double value, int decimals) {
+  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string out = text;
+  if (out.find('.') != std::string::npos) {
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+  }
+  return out == "-0" ? "0" : out;
 }
 
 }  // namespace scenelore::rules

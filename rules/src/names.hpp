@@ -1,4 +1,4 @@
-// Names that rows use, checked: classes, relations, settings.
+// Names that rows use, checked: classes, relations, settings; and numbers for people.
 #pragma once
 
 #include <string>
@@ -19,5 +19,8 @@ namespace scenelore::rules {
 /// A numeric setting within [low, high]. Throws Error naming it.
 [[nodiscard]] double number_setting(const kb::Knowledge& knowledge, const std::string& key, double otherwise, double low,
                                     double high);
+
+/// "3.2": with so many decimals at most, no trailing zeros.
+[[nodiscard]] std::string number(double value, int decimals = 2);
 
 }  // namespace scenelore::rules

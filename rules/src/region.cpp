@@ -114,6 +114,42 @@ Intervals within_on_line(const Region& region, const Vector2d& p, const Vector2d
   return merged(std::move(out));
 }
 
+/// An edge with its heights at hand: for lines along x, most edges are told to be far by these alone.
+struct Level {
+  Vector2d from, to;
+  double low, high;
+};
+
+std::vector<Level> levels(const Region& region) {
+  std::vector<Level> out;
+  for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) {
+    out.push_back({from, to, std::min(from.y(), to.y()), std::max(from.y(), to.y())});
+  });
+  return out;
+}
+
+/// Where the line at height y runs inside, by the even-odd rule.
+Intervals inside_on_level(const std::vector<Level>& edges, double y) {
+  std::vector<double> crossings;
+  for (const Level& edge : edges) {
+    if (y < edge.low || y >= edge.high) continue;
+    crossings.push_back(edge.from.x() + (edge.to.x() - edge.from.x()) * (y - edge.from.y()) / (edge.to.y() - edge.from.y()));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  Intervals out;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) out.emplace_back(crossings[i], crossings[i + 1]);
+  return out;
+}
+
+Intervals within_on_level(const std::vector<Level>& edges, double y, double reach) {
+  Intervals out = inside_on_level(edges, y);
+  for (const Level& edge : edges) {
+    if (y < edge.low - reach || y > edge.high + reach) continue;
+    if (const auto interval = near_edge({0, y}, Vector2d::UnitX(), edge.from, edge.to, reach)) out.push_back(*interval);
+  }
+  return merged(std::move(out));
+}
+
 struct Edge {
   Vector2d low, high;  ///< low.y < high.y
   bool of_a;
@@ -150,6 +186,28 @@ bool boundary_enters(const Region& region, const Box2& box) {
   bool enters = false;
   for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) { enters = enters || crosses_box(from, to, box); });
   return enters;
+}
+
+constexpr int kLinesPerSlab = 4;
+
+/// Sixteen even slabs, cut further at the heights where the share of a line may jump: corners, and corners moved by the
+/// reach. With many corners the jumps are small and the even slabs are enough.
+std::vector<double> slab_heights(const Region& a, const Region& b, double reach) {
+  const double low = a.box.min().y(), high = a.box.max().y();
+  constexpr int kSlabs = 16;
+  std::vector<double> even;
+  for (int i = 0; i <= kSlabs; ++i) even.push_back(low + (high - low) * i / kSlabs);
+  std::vector<double> heights;
+  for_each_edge(a, [&](const Vector2d& from, const Vector2d&) { heights.push_back(from.y()); });
+  for_each_edge(b, [&](const Vector2d& from, const Vector2d&) {
+    for (const double move : {-reach, 0.0, reach}) heights.push_back(from.y() + move);
+  });
+  std::erase_if(heights, [&](double y) { return y < low || y > high; });
+  if (heights.size() > 4 * kSlabs) return even;
+  heights.insert(heights.end(), even.begin(), even.end());
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  return heights;
 }
 
 }  // namespace
@@ -234,14 +292,17 @@ double share_within(const Region& a, const Region& b, double reach) {
   const double area = a.area();
   if (area <= 0) return 0;
   if (reach <= 0) return std::clamp(shared_area(a, b) / area, 0.0, 1.0);
-  constexpr int kLines = 32;
-  const double low = a.box.min().y(), step = a.box.sizes().y() / kLines;
   double shared = 0, all = 0;
-  for (int i = 0; i < kLines; ++i) {
-    const Vector2d p(0, low + (i + 0.5) * step);
-    const Intervals of_a = inside_on_line(a, p, Vector2d::UnitX());
-    for (const auto& [from, to] : of_a) all += to - from;
-    shared += shared_length(of_a, within_on_line(b, p, Vector2d::UnitX(), reach));
+  const std::vector<Level> edges_a = levels(a), edges_b = levels(b);
+  const std::vector<double> cuts = slab_heights(a, b, reach);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double height = (cuts[i + 1] - cuts[i]) / kLinesPerSlab;
+    for (int k = 0; k < kLinesPerSlab; ++k) {
+      const double y = cuts[i] + (k + 0.5) * height;
+      const Intervals of_a = inside_on_level(edges_a, y);
+      for (const auto& [from, to] : of_a) all += (to - from) * height;
+      shared += shared_length(of_a, within_on_level(edges_b, y, reach)) * height;
+    }
   }
   return all > 0 ? std::clamp(shared / all, 0.0, 1.0) : 0;
 }

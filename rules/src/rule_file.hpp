@@ -39,6 +39,8 @@ class RuleFile {
   /// NaN = not known.
   double value(int plane);
 
+  /// Pushes the checked function behind degree or value.
+  void push_ask() { lua_rawgeti(host_->lua.get(), LUA_REGISTRYINDEX, ask_); }
   [[nodiscard]] RuleHost& host() { return *host_; }
 
  private:

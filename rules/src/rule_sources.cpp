@@ -32,7 +32,7 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-std::vector<RuleSource> sources_below(const std::filesystem::path& directory) {
+std::vector<RuleSource> sources_below(const std::filesystem::path& directory, bool with_tests) {
   std::error_code error;
   if (!std::filesystem::is_directory(directory, error)) {
     throw Error(directory.string() + ": is not a folder; rules are the *.lua files of a folder");
@@ -46,7 +46,7 @@ std::vector<RuleSource> sources_below(const std::filesystem::path& directory) {
   std::sort(paths.begin(), paths.end());
   std::vector<RuleSource> out;
   for (const std::filesystem::path& path : paths) {
-    if (!is_test_name(path.filename().string())) out.push_back({path.string(), read_text(path)});
+    if (with_tests || !is_test_name(path.filename().string())) out.push_back({path.string(), read_text(path)});
   }
   return out;
 }

@@ -12,8 +12,9 @@ namespace scenelore::rules {
 [[nodiscard]] std::vector<RuleSource> built_in_sources();
 [[nodiscard]] bool is_built_in(const RuleSource& source);
 
-/// All *.lua below a folder but *_test.lua, in name order. Throws Error when the folder or a file cannot be read.
-[[nodiscard]] std::vector<RuleSource> sources_below(const std::filesystem::path& directory);
+/// All *.lua below a folder, in name order, without *_test.lua unless wanted. Throws Error when the folder or a file
+/// cannot be read.
+[[nodiscard]] std::vector<RuleSource> sources_below(const std::filesystem::path& directory, bool with_tests = false);
 
 [[nodiscard]] bool is_test_name(std::string_view name);
 /// The whole file. Throws Error naming it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace scenelore::rules {
 
@@ -52,18 +51,6 @@ std::vector<Difference> differences(const Case& about, const World& from, const 
   std::erase_if(out, [&](const Difference& d) { return std::abs(d.amount) < least; });
   std::stable_sort(out.begin(), out.end(), [](const auto& d, const auto& e) { return d.amount > e.amount; });
   return out;
-}
-
-std::string number(double value, int decimals) {
-  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  std::string out = text;
-  if (out.find('.') != std::string::npos) {
-    out.erase(out.find_last_not_of('0') + 1);
-    if (out.back() == '.') out.pop_back();
-  }
-  return out == "-0" ? "0" : out;
 }
 
 }  // namespace scenelore::rules

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fact_index.hpp"
+#include "names.hpp"
 #include "scenelore/engine/solver.hpp"
 #include "scenelore/rules/labelling.hpp"
 
@@ -58,8 +59,5 @@ struct Difference {
 };
 [[nodiscard]] std::vector<Difference> differences(const Case& about, const World& from, const World& to,
                                                   double least = 0.005);
-
-/// "3.2": two decimals at most, "a lot" never.
-[[nodiscard]] std::string number(double value, int decimals = 2);
 
 }  // namespace scenelore::rules

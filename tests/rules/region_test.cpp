@@ -1,0 +1,125 @@
+// Shared areas and lengths against closed forms and against counting points.
+#include "region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace scenelore::rules {
+namespace {
+
+using Eigen::Vector2d;
+
+Region rectangle(double x0, double y0, double x1, double y1) {
+  Region out;
+  out.add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+  return out;
+}
+
+/// A star-shaped outline with a hole, about a centre.
+Region blob(std::mt19937& random, const Vector2d& center, bool hole) {
+  const auto uniform = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  const auto ring = [&](double least, double most) {
+    std::vector<Vector2d> corners;
+    for (int i = 0; i < 17; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 17, radius = least + (most - least) * uniform();
+      corners.push_back(center + radius * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return corners;
+  };
+  Region out;
+  out.add_ring(ring(0.6, 1.4));
+  if (hole) out.add_ring(ring(0.1, 0.4));
+  return out;
+}
+
+double distance_to(const Region& region, const Vector2d& p) {
+  if (region.contains(p)) return 0;
+  double best = INFINITY;
+  for (const auto& ring : region.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector2d from = ring[i], to = ring[(i + 1) % ring.size()], d = to - from;
+      const double t = d.squaredNorm() > 0 ? std::clamp(d.dot(p - from) / d.squaredNorm(), 0.0, 1.0) : 0;
+      best = std::min(best, (p - from - t * d).norm());
+    }
+  }
+  return best;
+}
+
+TEST(Region, SharesAreaAsTheClosedFormSays) {
+  EXPECT_DOUBLE_EQ(shared_area(rectangle(0, 0, 2, 1), rectangle(1, 0.5, 3, 4)), 0.5);
+  EXPECT_DOUBLE_EQ(shared_area(rectangle(0, 0, 2, 1), rectangle(0, 0, 2, 1)), 2);
+  EXPECT_DOUBLE_EQ(shared_area(rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)), 0);
+  EXPECT_DOUBLE_EQ(shared_area(rectangle(0, 0, 1, 1), rectangle(5, 5, 6, 6)), 0);
+  Region frame = rectangle(0, 0, 4, 4);
+  frame.add_ring({{1, 1}, {1, 3}, {3, 3}, {3, 1}});
+  EXPECT_DOUBLE_EQ(frame.area(), 12);
+  EXPECT_DOUBLE_EQ(shared_area(frame, rectangle(0, 0, 2, 2)), 3);
+  EXPECT_DOUBLE_EQ(shared_area(frame, frame), 12);
+  EXPECT_DOUBLE_EQ(share_within(rectangle(1.5, 1.5, 2.5, 2.5), frame, 0), 0) << "inside the hole";
+  Region triangle;
+  triangle.add_ring({{0, 0}, {1, 0}, {0, 1}});
+  EXPECT_NEAR(shared_area(triangle, rectangle(0, 0, 0.5, 1)), 0.375, 1e-15);
+}
+
+TEST(Region, SharesAreaAsCountedPointsSay) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    const Region a = blob(random, {0, 0}, round % 2 == 0), b = blob(random, {0.1 * round, 0.07 * round}, round % 3 == 0);
+    int in_a = 0, in_both = 0;
+    constexpr int kGrid = 400;
+    for (int i = 0; i < kGrid; ++i) {
+      for (int j = 0; j < kGrid; ++j) {
+        const Vector2d p(-1.5 + 3.0 * (i + 0.5) / kGrid, -1.5 + 3.0 * (j + 0.5) / kGrid);
+        in_a += a.contains(p);
+        in_both += a.contains(p) && b.contains(p);
+      }
+    }
+    const double cell = 9.0 / (kGrid * kGrid);
+    EXPECT_NEAR(shared_area(a, b), in_both * cell, 0.01) << round;
+    EXPECT_NEAR(a.area(), in_a * cell, 0.01) << round;
+    EXPECT_NEAR(shared_area(a, b), shared_area(b, a), 1e-9) << round;
+    EXPECT_NEAR(shared_area(a, a), a.area(), 1e-9) << round;
+  }
+}
+
+TEST(Region, GrowsByTheReach) {
+  // A unit square 0.1 beside another: with reach 0.35, a strip of 0.25 of it counts.
+  EXPECT_NEAR(share_within(rectangle(1.1, 0, 2.1, 1), rectangle(0, 0, 1, 1), 0.35), 0.25, 1e-9);
+  EXPECT_EQ(share_within(rectangle(1.1, 0, 2.1, 1), rectangle(0, 0, 1, 1), 0.05), 0);
+  EXPECT_EQ(share_within(rectangle(0.2, 0.2, 0.8, 0.8), rectangle(0, 0, 1, 1), 0.35), 1);
+  // Around a corner the reach is round: a quarter disc of the square beyond it.
+  EXPECT_NEAR(share_within(rectangle(1, 1, 2, 2), rectangle(0, 0, 1, 1), 1), std::numbers::pi / 4, 5e-3);
+}
+
+TEST(Region, SharesLengthAsManyPointsOnALineSay) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 40; ++round) {
+    const Region b = blob(random, {0, 0}, round % 2 == 0);
+    const auto uniform = [&] { return static_cast<double>(random() % 4000) / 1000 - 2; };
+    const Segment2 a{{uniform(), uniform()}, {uniform(), uniform()}};
+    const double reach = 0.1 * (round % 4);
+    int near = 0;
+    constexpr int kSteps = 4000;
+    for (int i = 0; i < kSteps; ++i) near += distance_to(b, a.from + (a.to - a.from) * ((i + 0.5) / kSteps)) <= reach;
+    EXPECT_NEAR(share_within(a, b, reach), static_cast<double>(near) / kSteps, 2e-3) << round;
+  }
+}
+
+TEST(Region, HasValuesForPointsAndLines) {
+  const Region square = rectangle(0, 0, 1, 1);
+  EXPECT_EQ(share_within(Segment2{{0.5, 0.5}, {0.5, 0.5}}, square, 0), 1);
+  EXPECT_EQ(share_within(Segment2{{1.2, 0.5}, {1.2, 0.5}}, square, 0.1), 0);
+  EXPECT_EQ(share_within(Segment2{{1.2, 0.5}, {1.2, 0.5}}, square, 0.3), 1);
+  Region line;
+  line.add_ring({{0, 0}, {1, 0}});
+  EXPECT_EQ(share_within(square, line, 0), 0);
+  EXPECT_NEAR(share_within(square, line, 0.25), 0.25, 1e-9);
+  EXPECT_DOUBLE_EQ(share_within(Segment2{{-1, 0}, {1, 0}}, line, 0.5), 0.75);
+  EXPECT_EQ(share_within(square, Region{}, 1), 0);
+}
+
+}  // namespace
+}  // namespace scenelore::rules
