@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "likelihood.hpp"
 
@@ -134,17 +135,26 @@ std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const F
   return result;
 }
 
-std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features, std::size_t plane,
-                                        std::size_t object_class) {
-  std::vector<Contribution> result;
-  for (const Model model(knowledge, features); const FeatureModel& f : model.features()) {
-    const double value = features.values[plane][f.column];
-    if (std::isnan(value)) continue;
-    const Likelihood& likelihood = f.likelihoods[object_class];
-    result.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(), likelihood.log_density(value),
-                      f.feature->weight});
+std::vector<std::vector<Contribution>> contributions(const Knowledge& knowledge, const FeatureTable& features,
+                                                     const std::vector<std::pair<std::size_t, std::size_t>>& entries) {
+  const Model model(knowledge, features);
+  std::vector<std::vector<Contribution>> result;
+  for (const auto& [plane, object_class] : entries) {
+    std::vector<Contribution>& terms = result.emplace_back();
+    for (const FeatureModel& f : model.features()) {
+      const double value = features.values[plane][f.column];
+      if (std::isnan(value)) continue;
+      const Likelihood& likelihood = f.likelihoods[object_class];
+      terms.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(), likelihood.log_density(value),
+                       f.feature->weight});
+    }
   }
   return result;
+}
+
+std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features, std::size_t plane,
+                                        std::size_t object_class) {
+  return std::move(contributions(knowledge, features, {{plane, object_class}})[0]);
 }
 
 }  // namespace scenelore::kb

@@ -61,18 +61,39 @@ std::vector<std::optional<World>> rivals(const Case& about, const World& best, e
   return out;
 }
 
+/// Variables that share a constraint, per variable. A graph with more than k of them a variable has a treewidth above k
+/// (it is no partial k-tree), so that elimination needs tables of more than k variables.
+double pairs_a_variable(const engine::Problem& problem) {
+  const std::size_t n = problem.variables().size();
+  std::vector<bool> adjacent(n * n);
+  const auto join = [&](int a, int b) {
+    if (a != b) adjacent[at(std::min(a, b)) * n + at(std::max(a, b))] = true;
+  };
+  for (const engine::Constraint& constraint : problem.constraints()) {
+    if (const auto* conflict = std::get_if<engine::Conflict>(&constraint.body)) join(conflict->a.variable, conflict->b.variable);
+    if (const auto* table = std::get_if<engine::PairTable>(&constraint.body)) join(table->a, table->b);
+    if (const auto* needs = std::get_if<engine::Requirement>(&constraint.body)) {
+      for (const engine::Support& support : needs->supports) join(needs->literal.variable, support.literal.variable);
+    }
+  }
+  return static_cast<double>(std::count(adjacent.begin(), adjacent.end(), true)) / static_cast<double>(std::max<std::size_t>(n, 1));
+}
+constexpr double kMostPairsAVariable = 6;  // ten classes: a million entries
+
 /// Adjusted probability of each plane's label. Exact where the engine can sum over all worlds. Where it cannot, from the
 /// best world with each other label, e^−(extra cost): that of the runner-up is known exactly, those of the other labels
 /// are taken as the cost of changing this label alone, so that they are if anything too dear.
 class Probabilities {
  public:
   Probabilities(const Case& about, engine::Solver& solver, const engine::Solution& best)
-      : about_(about), best_(best), summed_(solver.marginals(1)), flips_(flip_costs(about.compiled.problem, best.assignment)) {}
+      : about_(about), best_(best), flips_(flip_costs(about.compiled.problem, best.assignment)) {
+    if (pairs_a_variable(about.compiled.problem) < kMostPairsAVariable) summed_ = solver.marginals(1);
+  }
 
   [[nodiscard]] double of(int plane, const std::optional<World>& rival) const {
     const int variable = about_.compiled.variable_of_plane[at(plane)], label = best_.assignment[at(variable)];
-    const double summed = summed_.probability[at(variable)][at(label)];
-    if (summed_.exact || summed < 1) return std::clamp(summed, 0.0, 1.0);
+    const double summed = summed_.probability.empty() ? 1 : summed_.probability[at(variable)][at(label)];
+    if (!summed_.probability.empty() && (summed_.exact || summed < 1)) return std::clamp(summed, 0.0, 1.0);
     double others = 0;
     const double margin = rival ? std::max(0.0, rival->cost() - best_.cost) : 0;
     for (int l = 0; l < static_cast<int>(flips_[at(variable)].size()); ++l) {

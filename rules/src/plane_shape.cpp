@@ -91,6 +91,12 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
     add(plane.hull.outer);
     for (const perception::Ring& hole : plane.hull.holes) add(hole);
   }
+  constexpr std::size_t kBlock = 12;
+  for (std::size_t i = 0; i < edges.size(); i += kBlock) {
+    EdgeBlock block{i, std::min(i + kBlock, edges.size()), {}};
+    for (std::size_t k = i; k < block.end; ++k) block.box.extend(edges[k].box);
+    blocks.push_back(block);
+  }
   const bool flat_outline = plane.hull.outer.size() >= 3;
   steep = !flat_outline || std::abs(normal.z()) <= std::cos(kSteepDegrees * std::numbers::pi / 180);
   if (steep) {
@@ -107,16 +113,23 @@ bool PlaneShape::covers(const Eigen::Vector3d& point) const {
 }
 
 double hull_gap(const PlaneShape& a, const PlaneShape& b) {
+  std::vector<std::pair<double, std::pair<const EdgeBlock*, const EdgeBlock*>>> nearest_first;
+  for (const EdgeBlock& p : a.blocks) {
+    for (const EdgeBlock& q : b.blocks) nearest_first.push_back({squared_distance(p.box, q.box), {&p, &q}});
+  }
+  std::sort(nearest_first.begin(), nearest_first.end());
   double best = std::numeric_limits<double>::infinity();
-  best = edges_to_inside(a, b, best);
-  if (best > 0) best = edges_to_inside(b, a, best);
-  for (const Edge3& e : a.edges) {
-    if (best <= 0) break;
-    if (squared_distance(e.box, b.box) >= best) continue;
-    for (const Edge3& f : b.edges) {
-      if (squared_distance(e.box, f.box) < best) best = std::min(best, squared_distance(e, f));
+  for (const auto& [apart, blocks] : nearest_first) {
+    if (apart >= best) break;
+    for (std::size_t i = blocks.first->begin; i < blocks.first->end; ++i) {
+      if (squared_distance(a.edges[i].box, blocks.second->box) >= best) continue;
+      for (std::size_t j = blocks.second->begin; j < blocks.second->end; ++j) {
+        if (squared_distance(a.edges[i].box, b.edges[j].box) < best) best = std::min(best, squared_distance(a.edges[i], b.edges[j]));
+      }
     }
   }
+  best = edges_to_inside(a, b, best);
+  if (best > 0) best = edges_to_inside(b, a, best);
   return std::sqrt(best);
 }
 

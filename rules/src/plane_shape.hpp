@@ -19,6 +19,12 @@ struct Edge3 {
   Box3 box;
 };
 
+/// Neighbouring edges and the box around them, so that far pieces of two outlines are told apart at once.
+struct EdgeBlock {
+  std::size_t begin = 0, end = 0;
+  Box3 box;
+};
+
 /// A plane without an outline is its centroid: a point.
 struct PlaneShape {
   explicit PlaneShape(const perception::Plane& plane);
@@ -26,6 +32,7 @@ struct PlaneShape {
   Eigen::Vector3d centroid, normal, u, v;  ///< u, v span the plane; normal of length 1
   Box3 box;
   std::vector<Edge3> edges;                ///< of outer boundary and holes; one of length 0 for a point
+  std::vector<EdgeBlock> blocks;           ///< of edges
   Region in_plane;                         ///< outline in (u, v) from the centroid
   Region footprint;                        ///< outline seen from above; the line or point where `line` stands
   bool steep = false;                      ///< footprint is `line`

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenelore/kb/evidence.hpp"
-
 namespace scenelore::rules {
 
 namespace {
@@ -76,11 +74,23 @@ void Reasoner::add(int plane, const char* kind, double amount, std::string sente
   by_plane_[at(plane)].push_back(std::move(reason));
 }
 
+Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(best), by_plane_(about.scene.planes.size()) {
+  std::vector<std::pair<std::size_t, std::size_t>> mine, theirs;
+  for (int plane = 0; plane < about.planes(); ++plane) {
+    const int own = best.class_of(plane), rival = best_class(about.evidence[at(plane)], own);
+    rivals_.push_back(rival);
+    mine.emplace_back(at(plane), at(own));
+    theirs.emplace_back(at(plane), at(std::max(rival, 0)));
+  }
+  if (about.scene.features.values.size() != about.scene.planes.size()) return;
+  mine_ = kb::contributions(about.knowledge, about.scene.features, mine);
+  theirs_ = kb::contributions(about.knowledge, about.scene.features, theirs);
+}
+
 /// The features that tell the class from its strongest rival, by what they add.
-std::string Reasoner::strongest_features(int plane, int object_class, int rival) const {
-  if (rival < 0 || plane >= static_cast<int>(about_.scene.features.values.size())) return {};
-  const auto mine = kb::contributions(about_.knowledge, about_.scene.features, at(plane), at(object_class));
-  const auto theirs = kb::contributions(about_.knowledge, about_.scene.features, at(plane), at(rival));
+std::string Reasoner::strongest_features(int plane) const {
+  if (mine_.empty() || rivals_[at(plane)] < 0) return {};
+  const std::vector<kb::Contribution>&mine = mine_[at(plane)], &theirs = theirs_[at(plane)];
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
     order.emplace_back(mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), i);
@@ -103,7 +113,7 @@ std::string Reasoner::strongest_features(int plane, int object_class, int rival)
 void Reasoner::add_evidence(int plane, const kb::Label& label) {
   const int object_class = best_.class_of(plane);
   const std::vector<double>& p = about_.evidence[at(plane)];
-  const int rival = best_class(p, object_class);
+  const int rival = rivals_[at(plane)];
   const double most = std::exp(-kImpossibleEvidence);
   const double amount =
       rival < 0 ? 0 : std::log(std::max(p[at(object_class)], most)) - std::log(std::max(p[at(rival)], most));
@@ -112,7 +122,7 @@ void Reasoner::add_evidence(int plane, const kb::Label& label) {
   if (rival >= 0) {
     sentence += std::string(amount < 0 ? ", which prefer " : ", before ") + about_.class_name(rival) + " with " + number(p[at(rival)]);
   }
-  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane, object_class, rival));
+  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane));
 }
 
 void Reasoner::add_truth(int plane) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scenelore/kb/evidence.hpp"
 #include "world.hpp"
 
 namespace scenelore::rules {
@@ -10,7 +11,7 @@ namespace scenelore::rules {
 /// Reads the best world and the worlds in which each plane is something else.
 class Reasoner {
  public:
-  Reasoner(const Case& about, const World& best) : about_(about), best_(best), by_plane_(about.scene.planes.size()) {}
+  Reasoner(const Case& about, const World& best);
 
   /// `rival` is the best world in which the plane is something else; nullptr where there is none or it is not known.
   void add_rival(int plane, const kb::Label& label, const World* rival);
@@ -27,10 +28,12 @@ class Reasoner {
   void add(int plane, const char* kind, double amount, std::string sentence, const kb::ClassConstraint* row = nullptr,
            int other = -1);
   void add_violation(const engine::Violation& violation);
-  [[nodiscard]] std::string strongest_features(int plane, int object_class, int rival) const;
+  [[nodiscard]] std::string strongest_features(int plane) const;
 
   const Case& about_;
   const World& best_;
+  std::vector<int> rivals_;                         // by plane: the class that features prefer after the plane's own, −1 = none
+  std::vector<std::vector<kb::Contribution>> mine_, theirs_;  // by plane: terms of its class, of its rival
   std::vector<std::vector<kb::Reason>> by_plane_;
 };
 

@@ -141,9 +141,10 @@ Intervals inside_on_level(const std::vector<Level>& edges, double y) {
   return out;
 }
 
-Intervals within_on_level(const std::vector<Level>& edges, double y, double reach) {
+/// `close` are the edges that may be within reach at all.
+Intervals within_on_level(const std::vector<Level>& edges, const std::vector<Level>& close, double y, double reach) {
   Intervals out = inside_on_level(edges, y);
-  for (const Level& edge : edges) {
+  for (const Level& edge : close) {
     if (y < edge.low - reach || y > edge.high + reach) continue;
     if (const auto interval = near_edge({0, y}, Vector2d::UnitX(), edge.from, edge.to, reach)) out.push_back(*interval);
   }
@@ -294,6 +295,9 @@ double share_within(const Region& a, const Region& b, double reach) {
   if (reach <= 0) return std::clamp(shared_area(a, b) / area, 0.0, 1.0);
   double shared = 0, all = 0;
   const std::vector<Level> edges_a = levels(a), edges_b = levels(b);
+  std::vector<Level> close_b = edges_b;
+  const Box2 around(a.box.min().array() - reach, a.box.max().array() + reach);
+  std::erase_if(close_b, [&](const Level& edge) { return !crosses_box(edge.from, edge.to, around); });
   const std::vector<double> cuts = slab_heights(a, b, reach);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double height = (cuts[i + 1] - cuts[i]) / kLinesPerSlab;
@@ -301,7 +305,7 @@ double share_within(const Region& a, const Region& b, double reach) {
       const double y = cuts[i] + (k + 0.5) * height;
       const Intervals of_a = inside_on_level(edges_a, y);
       for (const auto& [from, to] : of_a) all += (to - from) * height;
-      shared += shared_length(of_a, within_on_level(edges_b, y, reach)) * height;
+      shared += shared_length(of_a, within_on_level(edges_b, close_b, y, reach)) * height;
     }
   }
   return all > 0 ? std::clamp(shared / all, 0.0, 1.0) : 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenelore/kb/knowledge.hpp"
@@ -39,5 +40,9 @@ struct Contribution {
 /// The terms behind one entry of preclassify, in the order of the knowledge's features; those left out are left out.
 [[nodiscard]] std::vector<Contribution> contributions(const Knowledge& knowledge, const FeatureTable& features,
                                                       std::size_t plane, std::size_t object_class);
+/// The same for many entries (plane, class), the model being built only once.
+[[nodiscard]] std::vector<std::vector<Contribution>> contributions(
+    const Knowledge& knowledge, const FeatureTable& features,
+    const std::vector<std::pair<std::size_t, std::size_t>>& entries);
 
 }  // namespace scenelore::kb
