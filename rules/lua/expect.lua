@@ -22,7 +22,9 @@ local known = { x = true, y = true, z = true, length = true, width = true, facin
 
 local function check(t)
   for key in pairs(t) do
-    if not known[key] then error(format("a plane has no field '%s'; it has x, y, z, length, width, facing, lean, turn", key), 3) end
+    if not known[key] then
+      error(format("a plane has no field '%s'; it has x, y, z, length, width, facing, lean, turn", key), 3)
+    end
   end
 end
 

@@ -228,7 +228,9 @@ end
 
 local function with_base(t)
   local base = host.base(t.extends)
-  if not base then fail("relation", t.name, "extends", format("extends '%s', which is no built-in relation", tostring(t.extends))) end
+  if not base then
+    fail("relation", t.name, "extends", format("extends '%s', which is no built-in relation", tostring(t.extends)))
+  end
   local whole = {}
   for _, key in next, sorted_keys(base) do whole[key] = base[key] end
   for _, key in next, sorted_keys(t) do whole[key] = t[key] end
@@ -289,7 +291,7 @@ function environment.feature(t)
     if not feature_fields[key] then unknown_field("feature", t, key, known) end
   end
   check_fields("feature", t, feature_fields, feature_needs)
-  if not (t.low < t.high) then fail("feature", t.name, "high", "field 'high' must be greater than 'low'") end
+  if t.low >= t.high then fail("feature", t.name, "high", "field 'high' must be greater than 'low'") end
   if t.scale == "log" and t.low <= 0 then fail("feature", t.name, "low", "field 'low' must be positive on a log scale") end
   return {
     kind = "feature", name = t.name, unit = t.unit, summary = t.summary or "", scale = t.scale or "linear",

@@ -18,7 +18,7 @@ return relation {
   aside = 0.25,    -- metres beyond b's ends to the side: up to here not at all less
   beside = 0.5,    -- from here on not at all
   behind = 0.5,    -- degree on the far side, as a factor
-  applies = function(a, b, r) return b.tilt_deg > r.upright end,
+  applies = function(_, b, r) return b.tilt_deg > r.upright end,
   degree = function(a, b, r)
     local n = b.normal
     local norm = math.sqrt(n.x * n.x + n.y * n.y)

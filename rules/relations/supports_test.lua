@@ -15,5 +15,6 @@ case("a lamp above it is not, nor is the floor below", function()
 end)
 
 case("a wall carries nothing", function()
-  expect.fails(upright { x = 0, y = 1, z = 0.5, length = 1, width = 1 }, flat { x = 0, y = 1, z = 1.01, length = 0.4, width = 0.4 })
+  local wall = upright { x = 0, y = 1, z = 0.5, length = 1, width = 1 }
+  expect.fails(wall, flat { x = 0, y = 1, z = 1.01, length = 0.4, width = 0.4 })
 end)

@@ -1,5 +1,6 @@
 #include "rule_host.hpp"
 
+#include <cctype>
 #include <cstring>
 #include <span>
 
@@ -11,23 +12,28 @@ namespace scenelore::rules {
 
 namespace {
 
-/// nearest(word, words [, most]): the word meant, or nil.
-int nearest_word(lua_State* state) {
+/// Puts the word meant into `answer`; its length, 0 = none. Apart from the Lua function, so that no string is alive
+/// when Lua runs out of memory.
+std::size_t find_nearest(lua_State* state, char* answer, std::size_t size) {
   std::size_t length = 0;
-  const char* word = lua_tolstring(state, 1, &length);
+  const char* word = lua_type(state, 1) == LUA_TSTRING ? lua_tolstring(state, 1, &length) : nullptr;
+  if (word == nullptr) return 0;
   std::vector<std::string> known;
   for (lua_Integer i = 1, n = static_cast<lua_Integer>(lua_rawlen(state, 2)); i <= n; ++i) {
     lua_rawgeti(state, 2, i);
     if (lua_type(state, -1) == LUA_TSTRING) known.emplace_back(lua_tostring(state, -1));
     lua_pop(state, 1);
   }
-  const std::string found = word == nullptr ? std::string() : nearest({word, length}, known);
+  const std::string found = nearest({word, length}, known);
   const bool near_enough = lua_isnoneornil(state, 3) || edit_distance({word, length}, found) <= lua_tointeger(state, 3);
+  return near_enough ? found.copy(answer, size) : 0;
+}
+
+/// nearest(word, words [, most]): the word meant, or nil.
+int nearest_word(lua_State* state) {
   char answer[80];
-  const std::size_t size = found.copy(answer, sizeof answer);
-  if (found.empty() || !near_enough) return 0;
-  known.clear();
-  known.shrink_to_fit();
+  const std::size_t size = find_nearest(state, answer, sizeof answer);
+  if (size == 0) return 0;
   lua_pushlstring(state, answer, size);
   return 1;
 }
