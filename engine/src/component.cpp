@@ -5,28 +5,12 @@
 #include <numeric>
 #include <set>
 
+#include "reduction.hpp"
+
 namespace scenelore::engine {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-/// Union-find over variables.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int v) {
-    while (parent_[index(v)] != v) v = parent_[index(v)] = parent_[index(parent_[index(v)])];
-    return v;
-  }
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent_[index(std::max(a, b))] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 void for_each_variable(const Constraint& constraint, const auto& visit) {
   if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
@@ -156,6 +140,24 @@ class Compiler {
 };
 
 }  // namespace
+
+Component::Component() = default;
+Component::Component(Component&&) noexcept = default;
+Component& Component::operator=(Component&&) noexcept = default;
+Component::~Component() = default;
+
+Parts::Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+int Parts::find(int v) {
+  while (parent_[index(v)] != v) v = parent_[index(v)] = parent_[index(parent_[index(v)])];
+  return v;
+}
+
+void Parts::join(int a, int b) {
+  a = find(a);
+  b = find(b);
+  parent_[index(std::max(a, b))] = std::min(a, b);
+}
 
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const std::vector<char>& use) {
   const std::size_t count = problem.variables().size();

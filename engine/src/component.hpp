@@ -11,6 +11,8 @@
 
 namespace scenelore::engine {
 
+struct Reduction;
+
 /// One part of the problem: its variables in the problem's order; labels are those of the problem.
 struct Component {
   std::vector<int> variables;  ///< of the problem
@@ -19,6 +21,13 @@ struct Component {
   std::vector<int> best;       ///< an optimal assignment, once it is proved; else empty
   Cost best_cost = kTop;
   std::vector<std::pair<Cost, std::vector<int>>> pool;  ///< different assignments met so far, for upper bounds
+  bool whole = true;                                    ///< false: part of a reduction, not to be reduced again
+  std::unique_ptr<Reduction> reduction;                 ///< see reduction.hpp; made when it is first of use
+
+  Component();
+  Component(Component&&) noexcept;
+  Component& operator=(Component&&) noexcept;
+  ~Component();
 };
 
 struct Decomposition {
@@ -26,6 +35,17 @@ struct Decomposition {
   std::vector<int> component_of, index_in;  ///< by variable of the problem
   Cost constant = 0;                        ///< constraints that no variable can change
   int broken = -1;                          ///< a hard one of these, −1 = none
+};
+
+/// Which of `count` variables hang together.
+class Parts {
+ public:
+  explicit Parts(std::size_t count);
+  int find(int v);  ///< the least variable of v's part
+  void join(int a, int b);
+
+ private:
+  std::vector<int> parent_;
 };
 
 /// `use[c]`: whether constraint c takes part; empty = all.

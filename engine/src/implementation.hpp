@@ -2,6 +2,7 @@
 #pragma once
 
 #include "component.hpp"
+#include "reduction.hpp"
 #include "scale.hpp"
 #include "scenelore/engine/solver.hpp"
 #include "search.hpp"
@@ -20,6 +21,10 @@ struct Worlds {
   bool exact = true;
 };
 
+/// The k cheapest sums of one of a and one of b, whose labels take their places among those of a. Both are sorted.
+std::vector<World> combine(const std::vector<World>& a, const std::vector<World>& b, std::size_t k,
+                           const std::vector<int>& variables_of_b);
+
 struct Solver::Implementation {
   Implementation(const Problem& of, SolverOptions with);
 
@@ -35,7 +40,16 @@ struct Solver::Implementation {
                      Cost limit = kTop / 2);
   Cost least_cost(const Component& component) const;
   SearchResult split(Component& component, Search& search, const std::vector<Decision>& decisions, Cost limit) const;
-  Worlds k_best(Component& component, int k, Budget& budget);
+  Worlds k_best(Component& component, int k, Budget& budget, Cost limit = kTop / 2);
+
+  // --- near the optimum of one component ---
+  /// The reduction that holds all worlds cheaper than `limit`; nothing when the optimum is not known, or no limit is
+  /// set.
+  Reduction* reduction(Component& component, Cost limit) const;
+  SearchResult solve_reduced(Component& component, Reduction& reduced, const std::vector<Decision>& decisions,
+                             Budget& budget, Cost limit);
+  /// Those of the k cheapest that are below the cutoff.
+  Worlds k_best_reduced(Component& component, Reduction& reduced, int k, Budget& budget);
   Search::Report report(const Component& component) const;
   void remember(Component& component, const std::vector<int>& labels, Cost cost) const;
   bool feasible() const;

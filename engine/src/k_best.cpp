@@ -4,9 +4,8 @@
 #include "implementation.hpp"
 
 namespace scenelore::engine {
-namespace {
 
-/// The k cheapest sums of one of a and one of b. (i, j) has at least (i + 1)(j + 1) − 1 pairs before it, in cost and
+/// (i, j) has at least (i + 1)(j + 1) − 1 pairs before it, in cost and
 /// among equal costs in lexicographic order too, so that few pairs need be looked at.
 std::vector<World> combine(const std::vector<World>& a, const std::vector<World>& b, std::size_t k,
                            const std::vector<int>& variables_of_b) {
@@ -23,23 +22,30 @@ std::vector<World> combine(const std::vector<World>& a, const std::vector<World>
   return all;
 }
 
-}  // namespace
-
 /// First the k least costs, by a search whose limit is the k-th best so far. Among assignments that cost as much as the
-/// dearest of them that search keeps those it happened to meet; a second one in lexicographic order finds the first
-/// ones.
-Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budget) {
+/// dearest of them that search keeps those it happened to meet; a second one finds them all or, when they are very
+/// many, the first ones by going in lexicographic order.
+Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budget, Cost limit) {
+  constexpr std::size_t kMostEqual = 256;
+  constexpr double kReach = 10;  // nats; more than k worlds are cheaper, as a rule
+  if (is_forbidden(limit) && component.feasible) {
+    if (component.best.empty()) solve(component, {}, budget);
+    if (Reduction* reduced = reduction(component, component.best_cost + scale.whole(kReach))) {
+      Worlds near = k_best_reduced(component, *reduced, k, budget);
+      if (near.exact && near.worlds.size() == static_cast<std::size_t>(k)) return near;
+    }
+  }
   Worlds found;
   const auto most = static_cast<std::size_t>(k);
   const Search::Report events = report(component);
   Search search(component.network, budget, events);
   if (!component.best.empty()) search.prefer(component.best);
   std::vector<World>& worlds = found.worlds;
-  found.exact = search.enumerate({}, kTop / 2, [&](const std::vector<int>& labels, Cost cost) {
+  found.exact = search.enumerate({}, limit, [&](const std::vector<int>& labels, Cost cost) {
     World world{cost, labels};
     worlds.insert(std::upper_bound(worlds.begin(), worlds.end(), world), std::move(world));
     if (worlds.size() > most) worlds.pop_back();
-    return worlds.size() < most ? kTop / 2 : worlds.back().cost;
+    return worlds.size() < most ? limit : worlds.back().cost;
   });
   for (const World& world : worlds) remember(component, world.labels, world.cost);
   if (!found.exact || worlds.size() < most) return found;
@@ -48,16 +54,27 @@ Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budge
   std::vector<World> cheaper;
   for (World& world : worlds)
     if (world.cost < dearest) cheaper.push_back(world);
-  Search again(component.network, budget, events);
-  again.search_in_order();
   std::vector<World> equal;
-  found.exact = again.enumerate({}, dearest + 1, [&](const std::vector<int>& labels, Cost cost) {
+  bool too_many = false;
+  const auto all_equal = [&](const std::vector<int>& labels, Cost cost) {
     if (cost == dearest) equal.push_back({cost, labels});
-    return cheaper.size() + equal.size() < most ? dearest + 1 : Cost{0};
-  });
+    too_many = equal.size() > kMostEqual;
+    return too_many ? Cost{0} : dearest + 1;
+  };
+  found.exact = search.enumerate({}, dearest + 1, all_equal);
+  if (too_many) {
+    equal.clear();
+    Search again(component.network, budget, events);
+    again.search_in_order();
+    found.exact = again.enumerate({}, dearest + 1, [&](const std::vector<int>& labels, Cost cost) {
+      if (cost == dearest) equal.push_back({cost, labels});
+      return cheaper.size() + equal.size() < most ? dearest + 1 : Cost{0};
+    });
+  }
   if (!found.exact) return found;
   cheaper.insert(cheaper.end(), equal.begin(), equal.end());
   std::sort(cheaper.begin(), cheaper.end());
+  if (cheaper.size() > most) cheaper.resize(most);
   worlds = std::move(cheaper);
   return found;
 }

@@ -19,6 +19,7 @@
 
 #include "cost.hpp"
 #include "index_set.hpp"
+#include "residual.hpp"
 
 namespace scenelore::engine {
 
@@ -116,6 +117,8 @@ class Network {
   void round(std::vector<int>& assignment) const;
   /// All functions of two and more variables from their original costs; nothing when one has more than `most` tuples.
   std::optional<std::vector<Table>> written_out(std::size_t most) const;
+  /// What is left when only live labels count.
+  Residual residual() const;
   /// Adjacent through a function; for components and variable choice.
   int degree(int v) const { return static_cast<int>(links_[static_cast<std::size_t>(v)].size()); }
 

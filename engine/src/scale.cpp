@@ -45,7 +45,8 @@ Scale::Scale(const Problem& problem) {
 }
 
 Cost Scale::whole(double cost) const {
-  return std::isfinite(cost) ? static_cast<Cost>(std::llround(cost * units_)) : kTop;
+  const double scaled = cost * units_;
+  return scaled < static_cast<double>(kTop / 16) ? static_cast<Cost>(std::llround(scaled)) : kTop;
 }
 
 double Scale::real(Cost cost) const {

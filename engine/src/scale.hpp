@@ -14,6 +14,7 @@ namespace scenelore::engine {
 class Scale {
  public:
   explicit Scale(const Problem& problem);
+  /// kTop for more than all finite costs together.
   Cost whole(double cost) const;
   double real(Cost cost) const;
 

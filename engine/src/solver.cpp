@@ -97,6 +97,8 @@ SearchResult Solver::Implementation::solve(Component& component, const std::vect
   }
   if (!component.best.empty() && component.best_cost < limit && agrees(component.best, decisions))
     return {component.best_cost, component.best_cost, component.best, true};
+  if (Reduction* reduced = reduction(component, limit))
+    return solve_reduced(component, *reduced, decisions, budget, limit);
   std::vector<int> known;
   for (const auto& [cost, labels] : component.pool)
     if (cost < result.cost && agrees(labels, decisions)) result.cost = cost, known = labels;
@@ -160,7 +162,7 @@ Solution Solver::Implementation::solve(const Assumptions& assumptions) {
 
   Cost least = parts.constant;
   for (const Component& component : parts.components) least += least_cost(component);
-  const Cost below = std::isfinite(assumptions.below) ? scale.whole(std::max(assumptions.below, 0.0)) : kTop / 2;
+  const Cost below = std::min(scale.whole(std::max(assumptions.below, 0.0)), kTop / 2);
   std::vector<int> assignment(problem.variables().size(), -1);
   bool complete = true, whole = true;
   Cost lower_bound = parts.constant;

@@ -87,6 +87,40 @@ TEST_P(Random, MinMarginalsAndAssumptionsEqualEnumeration) {
   }
 }
 
+TEST_P(Random, WhatIsBelowALimitEqualsEnumeration) {
+  // The limits rise and fall, so that reductions are made, used again and made anew.
+  for (std::uint64_t seed = 0; seed < kProblems / 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem p = problem(seed);
+    const auto worlds = all_worlds(p, tolerance());
+    if (worlds.empty()) continue;
+    Solver solver(p);
+    solver.solve();
+    for (const double share : {0.0, 0.3, 0.1, 2.0, 0.7}) {
+      const double below = worlds[0].first + share * GetParam().second.largest + 10 * tolerance();
+      for (int v = 0; v < static_cast<int>(p.variables().size()); ++v)
+        for (int l = 0; l < static_cast<int>(p.variables()[static_cast<std::size_t>(v)].labels.size()); ++l)
+          for (const bool fixed : {true, false}) {
+            Assumptions assumptions{.fixed = {}, .forbidden = {}, .below = below};
+            (fixed ? assumptions.fixed : assumptions.forbidden).push_back({v, l});
+            const Solution cut = solver.solve(assumptions);
+            double expected = kHard;
+            for (const auto& [cost, labels] : worlds)
+              if ((labels[static_cast<std::size_t>(v)] == l) == fixed) expected = std::min(expected, cost);
+            if (std::abs(expected - below) < 2 * tolerance()) continue;  // rounding decides
+            if (expected < below) {
+              ASSERT_EQ(cut.outcome, Outcome::proved);
+              ASSERT_NEAR(cut.cost, expected, tolerance());
+            } else {
+              ASSERT_TRUE(cut.assignment.empty());
+              ASSERT_NE(cut.outcome, Outcome::proved);
+              ASSERT_GE(cut.lower_bound, below - tolerance());
+            }
+          }
+    }
+  }
+}
+
 TEST_P(Random, MarginalsEqualEnumeration) {
   if (GetParam().second.largest > 1000) return;  // one world has all the probability
   for (std::uint64_t seed = 0; seed < kProblems; ++seed) {

@@ -47,7 +47,9 @@ struct Assumptions {
   std::vector<Literal> fixed;
   std::vector<Literal> forbidden;
   /// Only worlds cheaper than this are of interest. When there is none, the outcome is `stopped` with a lower bound of
-  /// at least this. Makes "is the margin below 10?" much cheaper than the margin itself.
+  /// at least this. Makes "is the margin below 10?" much cheaper than the margin itself: once the optimum is known, a
+  /// limit not far above it is kept as a reduced problem without the labels that cannot occur below it. Searches in that
+  /// one tell the observer nothing.
   double below = std::numeric_limits<double>::infinity();
 };
 
