@@ -24,7 +24,7 @@ table1: bench
 
 # Learns the default priors again from simulated rooms (schemas/knowledge/office_learned.sql).
 knowledge: bench
-	build/bench/bin/learn_office > schemas/knowledge/office_learned.sql.new
+	build/bench/bin/learn_office schemas/knowledge/office.sql > schemas/knowledge/office_learned.sql.new
 	mv schemas/knowledge/office_learned.sql.new schemas/knowledge/office_learned.sql
 
 bench:

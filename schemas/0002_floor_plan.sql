@@ -6,6 +6,10 @@ CREATE TABLE plane_plan (
   geom POLYGON  -- POLYGON in the upright frame's x and y, turned about the scan's origin; steep planes as thin strips
 );
 
+-- Sides of the rectangle that spreads as the plane's points do when evenly filled; NULL for planes of older files.
+ALTER TABLE plane ADD COLUMN spread_length DOUBLE;
+ALTER TABLE plane ADD COLUMN spread_width DOUBLE;
+
 CREATE VIEW labelled_plane_plan AS
 SELECT p.id AS id, f.geom AS geom, s.name AS scan, l.class AS class, c.color AS color, l.probability AS probability,
        l.margin AS margin, p.height AS height, p.area_m2 AS area_m2, p.tilt_deg AS tilt_deg

@@ -12,7 +12,7 @@ namespace {
 // The order in which insert_planes binds and read_plane reads.
 constexpr std::string_view kPlaneColumns =
     "geom, x, y, z, normal_x, normal_y, normal_z, qw, qx, qy, qz, area_m2, length, width, rectangularity, tilt_deg, "
-    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, point_count";
+    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, point_count";
 
 Eigen::Vector3d vector_at(const Statement::Use& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
@@ -31,7 +31,7 @@ perception::Plane read_plane(const Statement::Use& row, int column) {
   column += 11;
   for (double* value : {&plane.area_m2, &plane.length, &plane.width, &plane.rectangularity, &plane.tilt_deg,
                         &plane.height, &plane.z_min, &plane.z_max, &plane.rmse, &plane.facing_up,
-                        &plane.point_density, &plane.seen_share}) {
+                        &plane.point_density, &plane.seen_share, &plane.spread_length, &plane.spread_width}) {
     *value = row.real(column++);
   }
   plane.point_count = static_cast<std::size_t>(row.integer(column));
@@ -44,7 +44,8 @@ std::vector<double> numbers_of(const perception::Plane& plane) {
           plane.normal.z(), plane.orientation.w(), plane.orientation.x(), plane.orientation.y(), plane.orientation.z(),
           plane.area_m2, plane.length, plane.width, std::clamp(plane.rectangularity, 0.0, 1.0),
           std::clamp(plane.tilt_deg, 0.0, 90.0), plane.height, plane.z_min, plane.z_max, plane.rmse,
-          std::clamp(plane.facing_up, -1.0, 1.0), plane.point_density, std::clamp(plane.seen_share, 0.0, 1.0)};
+          std::clamp(plane.facing_up, -1.0, 1.0), plane.point_density, std::clamp(plane.seen_share, 0.0, 1.0),
+          plane.spread_length, plane.spread_width};
 }
 
 std::string placeholders(int count) {
@@ -92,7 +93,7 @@ std::vector<StoredPlane> read_planes(const Database& database, ScanId scan) {
 
 void insert_planes(Database& database, const Scan& scan, const std::vector<perception::Plane>& planes) {
   Statement insert = database.prepare("INSERT INTO plane (scan_id, number, " + std::string(kPlaneColumns) +
-                                      ") VALUES (" + placeholders(26) + ")");
+                                      ") VALUES (" + placeholders(28) + ")");
   Statement insert_footprint = database.prepare(kInsertFootprint);
   std::int64_t number = 0;
   for (const perception::Plane& plane : planes) {

@@ -118,6 +118,8 @@ Plane describe(const Cloud& cloud, std::span<const std::uint32_t> points, const 
   plane.length = rectangle.length;
   plane.width = rectangle.width;
   plane.rectangularity = rectangularity(outline, rectangle);
+  plane.spread_length = std::sqrt(12 * std::max(0.0, fit.variances[2]));
+  plane.spread_width = std::sqrt(12 * std::max(0.0, fit.variances[1]));
   plane.point_density = outline.area > 0 ? static_cast<double>(points.size()) / outline.area : 0;
   plane.seen_share = seen_share(outline, flat, options.seen_cell);
   const double up = (upright.rotation * plane.normal).z();

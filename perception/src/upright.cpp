@@ -97,6 +97,9 @@ Estimate refined(std::span<const PlaneFit> planes, Eigen::Vector3d up) {
   return result;
 }
 
+/// How far above a hidden floor the lowest points can lie: a view of a table top from above shows nothing below it.
+constexpr double kTallestFurniture = 1.2;
+
 struct Floor {
   double level = 0;
   bool found = false;
@@ -180,9 +183,20 @@ Upright estimate_upright(const Cloud& cloud, std::span<const PlaneFit> planes, c
   const Floor floor = find_floor(cloud, planes, result.rotation);
   result.floor_z = floor.level;
   result.floor_found = floor.found;
-  result.explanation += floor.found ? "; the floor is a plane of " + fixed(floor.area, 1) + " m² at z = " + fixed(floor.level, 2) + "."
-                                    : "; no floor is visible, heights count from the lowest points at z = " + fixed(floor.level, 2) + ".";
-  if (!floor.found) result.confidence *= 0.7;
+  if (floor.found) {
+    result.explanation += "; the floor is a plane of " + fixed(floor.area, 1) + " m² at z = " + fixed(floor.level, 2) + ".";
+    return result;
+  }
+  result.confidence *= 0.7;
+  // A scan that somebody has levelled mostly has the floor at zero, seen or not; a sensor's own frame has it far below zero.
+  const bool levelled = estimate.up == Eigen::Vector3d::UnitZ() && floor.level > -0.1 && floor.level < kTallestFurniture;
+  if (levelled) {
+    result.floor_z = 0;
+    result.explanation += "; no floor is visible, the file's zero level, " + fixed(std::max(0.0, floor.level), 2) +
+                          " m below the lowest points, was taken for it.";
+  } else {
+    result.explanation += "; no floor is visible, heights count from the lowest points at z = " + fixed(floor.level, 2) + ".";
+  }
   return result;
 }
 

@@ -32,6 +32,8 @@ constexpr Field kFields[] = {
     {"rmse", [](const perception::Plane& p) { return p.rmse; }},
     {"facing_up", [](const perception::Plane& p) { return p.facing_up; }},
     {"point_density", [](const perception::Plane& p) { return p.point_density; }},
+    {"spread_length", [](const perception::Plane& p) { return p.spread_length; }},
+    {"spread_width", [](const perception::Plane& p) { return p.spread_width; }},
     {"seen_share", [](const perception::Plane& p) { return p.seen_share; }},
     {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); }},
 };

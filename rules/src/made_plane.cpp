@@ -34,6 +34,8 @@ perception::Plane make_plane(const MadePlane& made) {
   plane.z_min = low->z();
   plane.z_max = high->z();
   plane.facing_up = normal.z();
+  plane.spread_length = plane.length;
+  plane.spread_width = plane.width;
   plane.seen_share = 1;
   plane.point_density = 1000;
   plane.point_count = static_cast<std::size_t>(std::lround(1000 * plane.area_m2));

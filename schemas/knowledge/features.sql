@@ -5,6 +5,8 @@ INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('area_m2',        'm2',   'log',    0.002, 100,  0.5, 'area of the alpha hull'),
   ('length',         'm',    'log',    0.03,  30,   0.7, 'longer side of the minimum-area rectangle'),
   ('width',          'm',    'log',    0.01,  12,   0.7, 'shorter side of the minimum-area rectangle'),
+  ('spread_length',  'm',    'log',    0.01,  40,   0.5, 'longer side of the rectangle that spreads as the points do'),
+  ('spread_width',   'm',    'log',    0.003, 20,   0.5, 'its shorter side; a few stray points hardly change it'),
   ('rectangularity', '1',    'linear', 0,     1,    0.5, 'share of that rectangle which the hull fills'),
   ('tilt_deg',       'deg',  'linear', 0,     90,   1,   'angle between normal and vertical: 0 = horizontal plane, 90 = vertical'),
   ('height',         'm',    'linear', -0.5,  4,    1,   'centroid above the floor'),

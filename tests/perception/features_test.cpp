@@ -147,14 +147,26 @@ TEST(EstimateUpright, PutsATiltedScanRight) {
   }
 }
 
-TEST(EstimateUpright, SaysWhenNoFloorIsVisible) {
+/// Two walls from z = `low` upwards.
+Perception perceive_walls(double low) {
   Scene scene;
   Random random(2);
-  scene.add_rectangle(Vector(0, 0, 0.3), Vector(4, 0, 0), Vector(0, 0, 2.2), 2000, 0.005, 0, random);
-  scene.add_rectangle(Vector(0, 0, 0.3), Vector(0, 3, 0), Vector(0, 0, 2.2), 2000, 0.005, 1, random);
-  const Perception p = perceive(scene.cloud);
+  scene.add_rectangle(Vector(0, 0, low), Vector(4, 0, 0), Vector(0, 0, 2.2), 2000, 0.005, 0, random);
+  scene.add_rectangle(Vector(0, 0, low), Vector(0, 3, 0), Vector(0, 0, 2.2), 2000, 0.005, 1, random);
+  return perceive(scene.cloud);
+}
+
+TEST(EstimateUpright, TakesTheZeroLevelOfALevelledScanWhoseFloorIsHidden) {
+  const Perception p = perceive_walls(0.3);
   EXPECT_FALSE(p.upright.floor_found);
-  EXPECT_NEAR(p.upright.floor_z, 0.3, 0.03);
+  EXPECT_EQ(p.upright.floor_z, 0);
+  EXPECT_NE(p.upright.explanation.find("zero level"), std::string::npos);
+}
+
+TEST(EstimateUpright, SaysWhenNoFloorIsVisible) {
+  const Perception p = perceive_walls(-1.3);
+  EXPECT_FALSE(p.upright.floor_found);
+  EXPECT_NEAR(p.upright.floor_z, -1.3, 0.03);
   ASSERT_FALSE(p.warnings.empty());
   EXPECT_NE(p.warnings.back().find("floor"), std::string::npos);
 }

@@ -1,10 +1,12 @@
 // Table 1 of Goldhoorn & Hartanto (2014) on simulated rooms: objects real and detected before and after constraints, for
-// the paper's reference mode and for the default knowledge. Usage: table1 [SETS [FIRST_SEED [NOISE]]]
+// the paper's reference mode and for the default knowledge. Usage: table1 [SETS [FIRST_SEED [NOISE [errors]]]]
+// With `errors`, each wrong label of the default knowledge over the paper's three classes is told on stderr.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <string_view>
 
 #include "bench/rooms.hpp"
 
@@ -40,6 +42,32 @@ void score_room(const experiment::Room& room, Mode& mode, rules::RuleSet& rules,
       before[name] += experiment::score_class(room.scan, room.truth, labelling.before, name);
       after[name] += experiment::score_class(room.scan, room.truth, labelling.after, name);
     }
+  }
+}
+
+/// A line a plane that has or should have one of the paper's classes and has not the right one.
+void print_errors(const experiment::Room& room, const std::string& name, const Mode& mode, rules::RuleSet& rules) {
+  const experiment::Labelling labelling = experiment::label_planes(mode.knowledge, rules, room.record, room.planes);
+  const auto of_interest = [](const std::string& object_class) {
+    return std::find(kPaperClasses.begin(), kPaperClasses.end(), object_class) != kPaperClasses.end();
+  };
+  std::vector<double> coverage(room.scan.objects.size(), 0);
+  for (std::size_t i = 0; i < room.planes.size(); ++i) {
+    const experiment::PlaneTruth& truth = room.truth[i];
+    const perception::Plane& plane = room.planes[i].plane;
+    if (truth.object >= 0) coverage[static_cast<std::size_t>(truth.object)] += truth.coverage;
+    if (labelling.after[i] == truth.object_class || (!of_interest(labelling.after[i]) && !of_interest(truth.object_class))) continue;
+    fmt::print(stderr, "{} plane {}: {} (features {}), is {} ({}, purity {:.2f}, coverage {:.2f}); {} points, {:.2f} x {:.2f} m, tilt {:.0f}, "
+                       "height {:.2f}, rect. {:.2f}\n",
+               name, i + 1, labelling.after[i], labelling.before[i], truth.object_class,
+               truth.object < 0 ? "nothing" : room.scan.objects[static_cast<std::size_t>(truth.object)].thing, truth.purity, truth.coverage,
+               plane.point_count, plane.length, plane.width, plane.tilt_deg, plane.height, plane.rectangularity);
+  }
+  for (std::size_t i = 0; i < coverage.size(); ++i) {
+    const simulator::TruthObject& object = room.scan.objects[i];
+    if (coverage[i] > 0 || !of_interest(object.object_class)) continue;
+    fmt::print(stderr, "{} has no plane of its own for {} ({}, {} points, height {:.2f})\n", name, object.thing, object.object_class,
+               object.points, object.centroid.z());
   }
 }
 
@@ -80,12 +108,16 @@ int main(int argc, char** argv) {
   const int sets = argc > 1 ? std::atoi(argv[1]) : 10;
   const std::uint64_t first_seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 5001;
   const double noise = argc > 3 ? std::atof(argv[3]) : 0.01;
+  const bool errors = argc > 4 && std::string_view(argv[4]) == "errors";
 
   rules::RuleSet rules = rules::RuleSet::load();
   Mode modes[]{{"reference mode of the paper (equation 1, hand-set Gaussians, hard constraints)", experiment::knowledge_pack("paper"), {}},
                {"default knowledge (log-linear product, learned densities, weighted constraints)", experiment::knowledge_pack("office"), {}}};
   for (int set = 0; set < sets; ++set) {
     const auto rooms = experiment::perceive_rooms(simulator::paper_rooms(first_seed + static_cast<std::uint64_t>(set), noise));
+    for (std::size_t room = 0; errors && room < rooms.size(); ++room) {
+      print_errors(rooms[room], fmt::format("set {} room {}", set, room + 1), modes[1], rules);
+    }
     for (Mode& mode : modes) {
       std::map<std::string, ClassScore> before, after;
       for (const experiment::Room& room : rooms) score_room(room, mode, rules, before, after);

@@ -64,11 +64,11 @@ kb::KnowledgeBase open_or_create(const fs::path& path, const std::string& knowle
   return fs::exists(path) ? kb::KnowledgeBase::open(path) : kb::KnowledgeBase::create(path, knowledge);
 }
 
-std::vector<fs::path> rule_directories(const fs::path& knowledge_base, const std::vector<std::string>& given) {
-  if (!given.empty()) return {given.begin(), given.end()};
-  const fs::path beside = knowledge_base.parent_path() / "rules";
-  if (fs::is_directory(beside)) return {beside};
-  return {};
+rules::RuleSet load_rules(const kb::KnowledgeBase& base, const fs::path& file, const std::vector<std::string>& given) {
+  std::vector<fs::path> folders(given.begin(), given.end());
+  const fs::path beside = file.parent_path() / "rules";
+  if (folders.empty() && fs::is_directory(beside)) folders.push_back(beside);
+  return rules::RuleSet::load(folders, {}, base.knowledge().settings);
 }
 
 }  // namespace scenelore::pipeline

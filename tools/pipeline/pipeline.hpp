@@ -50,8 +50,9 @@ kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::R
 /// The knowledge base file at `path`: opened, or created with the named knowledge pack when there is none.
 [[nodiscard]] kb::KnowledgeBase open_or_create(const std::filesystem::path& path, const std::string& knowledge = "office");
 
-/// The rule folders to load: those given, else a folder `rules` beside the knowledge base file if there is one.
-[[nodiscard]] std::vector<std::filesystem::path> rule_directories(const std::filesystem::path& knowledge_base,
-                                                                  const std::vector<std::string>& given);
+/// The built-in rules and those of the folders given, else of a folder `rules` beside the knowledge base file if there is
+/// one, with the tolerances that the knowledge's settings replace (`above.reach`).
+[[nodiscard]] rules::RuleSet load_rules(const kb::KnowledgeBase& base, const std::filesystem::path& file,
+                                        const std::vector<std::string>& given);
 
 }  // namespace scenelore::pipeline

@@ -27,7 +27,7 @@ class LabelCommand : public Command {
 
   int run() override {
     kb::KnowledgeBase base = kb::KnowledgeBase::open(file_);
-    rules::RuleSet rules = rules::RuleSet::load(pipeline::rule_directories(file_, labelling_.rules));
+    rules::RuleSet rules = pipeline::load_rules(base, file_, labelling_.rules);
     const rules::LabellingOptions options = labelling_.options();
     const std::vector<kb::Scan> scans = scan_.empty() && !base.scans().empty() ? base.scans()
                                                                                : std::vector{require_scan(base, file_, scan_)};

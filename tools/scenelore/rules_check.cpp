@@ -26,7 +26,7 @@ class RulesCheckCommand : public Command {
 
   int run() override {
     const kb::KnowledgeBase base = kb::KnowledgeBase::open(file_, kb::Access::read_only);
-    const rules::RuleSet rules = rules::RuleSet::load(pipeline::rule_directories(file_, rules_));
+    const rules::RuleSet rules = pipeline::load_rules(base, file_, rules_);
     const std::vector<rules::Finding> findings = rules::check(base.knowledge(), rules);
     const auto errors = std::count_if(findings.begin(), findings.end(), [](const rules::Finding& f) { return f.error; });
     if (json_) {

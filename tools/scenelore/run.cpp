@@ -51,8 +51,8 @@ class RunCommand : public Command {
                  const rules::LabellingOptions& labelling) {
     const fs::path file = kb_.empty() ? fs::path(source).replace_extension(".gpkg") : fs::path(kb_);
     const auto progress = terminal_progress(source.filename().string());
-    rules::RuleSet rules = rules::RuleSet::load(pipeline::rule_directories(file, labelling_.rules));
     kb::KnowledgeBase base = pipeline::open_or_create(file, knowledge_);
+    rules::RuleSet rules = pipeline::load_rules(base, file, labelling_.rules);
 
     const pipeline::Imported imported =
         pipeline::import_scan(base, source, {.perception = perception, .progress = progress});

@@ -74,7 +74,7 @@ class WhyCommand : public Command {
   }
 
   int explain_other(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::PlaneId plane) const {
-    rules::RuleSet rules = rules::RuleSet::load(pipeline::rule_directories(file_, rules_));
+    rules::RuleSet rules = pipeline::load_rules(base, file_, rules_);
     const pipeline::Situation situation = pipeline::assess(base, scan, rules);
     const rules::WhyNot answer = rules::why_not(situation.knowledge, situation.scene, situation.evidence, situation.facts,
                                                 situation.truth, plane, *object_class_);

@@ -27,6 +27,9 @@ struct Plane {
   double length = 0;         ///< metres, longer side of the minimum-area rectangle
   double width = 0;          ///< metres, shorter side
   double rectangularity = 0; ///< in [0, 1]
+  /// Metres, sides of the rectangle that spreads as the points do when evenly filled: √12 σ along the two larger axes.
+  /// A few stray points stretch the minimum-area rectangle, but hardly these. 0 = not known.
+  double spread_length = 0, spread_width = 0;
   double tilt_deg = 0;       ///< angle between normal and vertical, 0..90
   double height = 0;         ///< centroid above the floor
   double z_min = 0, z_max = 0;  ///< lower and upper edge above the floor

@@ -15,7 +15,7 @@ namespace scenelore::perception {
 struct Upright {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   double floor_z = 0;
-  bool floor_found = false;  ///< false: no floor was visible, floor_z is the lowest level of the cloud
+  bool floor_found = false;  ///< false: no floor was visible, floor_z is the file's zero level or that of the lowest points
   double confidence = 0;     ///< 0..1
   std::string explanation;   ///< a sentence: from which planes, how far tilted
 };
