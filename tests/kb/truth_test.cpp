@@ -110,9 +110,9 @@ TEST_F(Truth, ScansWithoutPlanesOrPointsAreStored) {
 }
 
 TEST_F(Truth, FeaturesAreStoredForTheWholeCatalogue) {
-  base_.register_features({{"aspect", "1", Scale::linear, 0, 20, 1, "length / width"}});
+  base_.register_features({{"slenderness", "1", Scale::linear, 0, 20, 1, "length / width"}});
   FeatureTable table = built_in_features(*base_.find_scan("room"), base_.planes(scan_));
-  table.names.push_back("aspect");
+  table.names.push_back("slenderness");
   table.names.push_back("nonsense");
   for (auto& row : table.values) row.insert(row.end(), {row[1] / row[2], 1.0});
   table.values[0][table.names.size() - 2] = std::numeric_limits<double>::quiet_NaN();
@@ -120,11 +120,11 @@ TEST_F(Truth, FeaturesAreStoredForTheWholeCatalogue) {
   const FeatureTable back = base_.features({3, 1});
   EXPECT_EQ(back.names.size(), 15U);
   const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(back.names.begin(), back.names.end(), name) - back.names.begin()); };
-  EXPECT_NEAR(back.values[0][at("aspect")], 1.4 / 0.8, 1e-12);
-  EXPECT_TRUE(std::isnan(back.values[1][at("aspect")]));
+  EXPECT_NEAR(back.values[0][at("slenderness")], 1.4 / 0.8, 1e-12);
+  EXPECT_TRUE(std::isnan(back.values[1][at("slenderness")]));
   EXPECT_NEAR(back.values[0][at("x")], 1 - 2, 1e-12);
   EXPECT_NEAR(back.values[0][at("y")], 1 - 1.5, 1e-12);
-  EXPECT_EQ(ask(base_, "SELECT weight FROM feature WHERE name = 'aspect'"), std::vector<std::string>{"0.0"});
+  EXPECT_EQ(ask(base_, "SELECT weight FROM feature WHERE name = 'slenderness'"), std::vector<std::string>{"0.0"});
 }
 
 }  // namespace

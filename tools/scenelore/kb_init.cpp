@@ -13,7 +13,7 @@ class KbInitCommand : public Command {
  public:
   std::string name() const override { return "kb init"; }
   std::string summary() const override { return "Make a knowledge base file with the default knowledge as rows."; }
-  std::string example() const override { return "scenelore kb init lab.gpkg"; }
+  std::string example() const override { return "scenelore kb init empty_lab.gpkg"; }
   std::vector<Argument> arguments() override {
     return {positional("FILE", &file_, "FILE", "file to make; an existing one is never touched"),
             {"--knowledge", &knowledge_, "PACK",

@@ -71,13 +71,13 @@ TEST_F(BadScan, IsRefusedWhenNoPointIsValid) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Finished finished = run_on(ply(std::vector<std::array<float, 3>>(500, {nan, nan, nan})));
   EXPECT_EQ(finished.code, 3);
-  EXPECT_THAT(finished.err, AllOf(HasSubstr("scan.ply"), HasSubstr("valid")));
+  EXPECT_THAT(finished.err, AllOf(HasSubstr("scan.ply"), HasSubstr("finite")));
 }
 
 TEST_F(BadScan, HasNoPlanesWhenAllPointsAreEqual) {
   const Finished finished = run_on(ply(std::vector<std::array<float, 3>>(5000, {1, 2, 3})));
   EXPECT_EQ(finished.code, 1) << finished.err;
-  EXPECT_THAT(finished.err, HasSubstr("no plane"));
+  EXPECT_THAT(finished.err, HasSubstr("No plane"));
 }
 
 TEST_F(BadScan, HasNoPlanesWithTenPoints) {
@@ -85,7 +85,7 @@ TEST_F(BadScan, HasNoPlanesWithTenPoints) {
   for (int i = 0; i < 10; ++i) points.push_back({static_cast<float>(i % 3), static_cast<float>(i / 3), 0.1F * static_cast<float>(i)});
   const Finished finished = run_on(ply(points));
   EXPECT_EQ(finished.code, 1) << finished.err;
-  EXPECT_THAT(finished.err, HasSubstr("no plane"));
+  EXPECT_THAT(finished.err, HasSubstr("No plane"));
 }
 
 TEST_F(BadScan, HasNoPlanesWhenPointsLieOnALine) {

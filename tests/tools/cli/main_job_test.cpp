@@ -140,16 +140,19 @@ TEST_F(MainJob, SegmentsAndLabelsInTwoSteps) {
 
 TEST_F(MainJob, TakesAClassByRowsAlone) {
   make_labelled();
+  const std::string plane = ask("office.gpkg", "SELECT plane FROM labelled_plane WHERE class = 'unknown' ORDER BY area_m2 DESC LIMIT 1");
+  ASSERT_FALSE(plane.empty());
   edit("office.gpkg",
-       "INSERT INTO object_class (id, name, prior, description, color, fallback) VALUES (60, 'podium', 0.2, '', '#aa00aa', 0);"
-       "INSERT INTO class_feature (class, feature, mean, sigma) SELECT 'podium', 'height', height, 0.01 FROM labelled_plane "
-       "WHERE class = 'floor' ORDER BY plane LIMIT 1;"
-       "INSERT INTO class_feature (class, feature, mean, sigma) SELECT 'podium', 'area_m2', ln(area_m2), 0.01 FROM labelled_plane "
-       "WHERE class = 'floor' ORDER BY plane LIMIT 1;"
-       "INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('podium', 'tilt_deg', 0, 0.5)");
+       "INSERT INTO object_class (id, name, prior, description, color) VALUES (60, 'crate', 0.1, 'what this one looks like', '#aa00aa');"
+       "INSERT INTO class_feature (class, feature, mean, sigma) "
+       "SELECT 'crate', 'height', height, 0.02 FROM plane WHERE id = " + plane +
+       " UNION ALL SELECT 'crate', 'z_max', z_max, 0.02 FROM plane WHERE id = " + plane +
+       " UNION ALL SELECT 'crate', 'tilt_deg', tilt_deg, 1 FROM plane WHERE id = " + plane +
+       " UNION ALL SELECT 'crate', 'area_m2', ln(area_m2), 0.05 FROM plane WHERE id = " + plane);
   const Finished finished = scenelore({"label", "@office.gpkg"});
   ASSERT_EQ(finished.code, 0) << finished.err;
-  EXPECT_THAT(finished.out, HasSubstr("is podium"));
+  EXPECT_THAT(finished.out, HasSubstr("was unknown, is crate"));
+  EXPECT_EQ(ask("office.gpkg", "SELECT class FROM label WHERE plane_id = " + plane), "crate\n");
 }
 
 TEST_F(MainJob, TellsUsageErrorsApart) {
