@@ -58,9 +58,7 @@ class Compiler {
     Literal a = conflict.a, b = conflict.b;
     if (a.variable == b.variable) return;  // either never both, or a label cost: see unary()
     if (a.variable > b.variable) std::swap(a, b);
-    std::vector<Cost> table(index(labels(a.variable) * labels(b.variable)), 0);
-    table[index(a.label * labels(b.variable) + b.label)] = weight_;
-    network(a.variable).add_binary(local(a.variable), local(b.variable), table, number_);
+    network(a.variable).add_binary(local(a.variable), local(b.variable), a.label, b.label, weight_, number_);
   }
 
   void translate(const PairTable& pair) {

@@ -1,5 +1,7 @@
 // The k cheapest assignments: those of each component, then combined.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "implementation.hpp"
 
@@ -41,12 +43,19 @@ Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budge
   Search search(component.network, budget, events);
   if (!component.best.empty()) search.prefer(component.best);
   std::vector<World>& worlds = found.worlds;
-  found.exact = search.enumerate({}, limit, [&](const std::vector<int>& labels, Cost cost) {
-    World world{cost, labels};
-    worlds.insert(std::upper_bound(worlds.begin(), worlds.end(), world), std::move(world));
-    if (worlds.size() > most) worlds.pop_back();
-    return worlds.size() < most ? limit : worlds.back().cost;
-  });
+  // The k-th best is near the best, as a rule, and a low limit from the start makes for a short search.
+  for (const double reach : {0.5, 2.0, std::numeric_limits<double>::infinity()}) {
+    const bool last = component.best.empty() || std::isinf(reach);
+    const Cost near = last ? limit : std::min(limit, component.best_cost + scale.whole(reach));
+    worlds.clear();
+    found.exact = search.enumerate({}, near, [&](const std::vector<int>& labels, Cost cost) {
+      World world{cost, labels};
+      worlds.insert(std::upper_bound(worlds.begin(), worlds.end(), world), std::move(world));
+      if (worlds.size() > most) worlds.pop_back();
+      return worlds.size() < most ? near : worlds.back().cost;
+    });
+    if (!found.exact || worlds.size() == most || near == limit) break;
+  }
   for (const World& world : worlds) remember(component, world.labels, world.cost);
   if (!found.exact || worlds.size() < most) return found;
 

@@ -46,6 +46,15 @@ void Network::add_binary(int x, int y, const std::vector<Cost>& table, int const
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = std::min(sum[i] + table[i], kTop);
 }
 
+void Network::add_binary(int x, int y, int label_x, int label_y, Cost cost, int constraint) {
+  assert(x < y);
+  auto [entry, fresh] = pending_.try_emplace({x, y}, std::vector<Cost>(), constraint);
+  std::vector<Cost>& sum = entry->second.first;
+  if (fresh) sum.assign(static_cast<std::size_t>(labels(x) * labels(y)), 0);
+  Cost& sum_here = sum[static_cast<std::size_t>(label_x * labels(y) + label_y)];
+  sum_here = std::min(sum_here + cost, kTop);
+}
+
 int Network::new_table(const std::vector<Cost>& table) {
   const auto [entry, fresh] = table_index_.try_emplace(table, static_cast<int>(tables_.size()));
   if (fresh) tables_.push_back(table);

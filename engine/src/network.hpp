@@ -94,6 +94,8 @@ class Network {
   int add_variable(const std::vector<Cost>& costs);
   /// Adds `table` (row-major by x) to what there is between x and y.
   void add_binary(int x, int y, const std::vector<Cost>& table, int constraint);
+  /// The same with one entry of the table.
+  void add_binary(int x, int y, int label_x, int label_y, Cost cost, int constraint);
   void add_requirement(RequirementFunction function);  ///< cells are set here
   void add_cardinality(CardinalityFunction function);
   void close();
