@@ -7,7 +7,7 @@ scan=${2:-}
 mkdir -p demo
 if [ -z "$scan" ]; then
   scan=demo/office.ply
-  "$scenelore" simulate "$scan" --seed 7 >/dev/null
+  "$scenelore" simulate "$scan" --seed 11 >/dev/null
 fi
 name=$(basename "${scan%.*}")
 "$scenelore" run "$scan" --kb "demo/$name.gpkg" --labelled "demo/${name}_labelled.ply"

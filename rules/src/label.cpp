@@ -41,9 +41,9 @@ void add_alternatives(const Case& about, const World& best, engine::Solver& solv
   }
 }
 
-/// Margins are told up to this many nats (odds of 22,000 to 1). Proving how much dearer than that another class would be
+/// Margins are told up to this many nats (odds of 150 to 1). Proving how much dearer than that another class would be
 /// takes most of the time of a relabelling and tells a person nothing.
-constexpr double kMarginReach = 10;
+constexpr double kMarginReach = 5;
 
 /// The best world in which each plane is something else; nothing where there is none within reach or the time is up.
 std::vector<std::optional<World>> rivals(const Case& about, const World& best, engine::Solver& solver, double seconds) {

@@ -10,7 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/bin" && ln -s "$scenelore" "$folder/bin/scenelore"
 export PATH="$folder/bin:$PATH"
 cd "$folder"
-scenelore simulate office.ply --seed 7 > /dev/null
+scenelore simulate office.ply --seed 11 > /dev/null
 
 awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$document" > commands.sh
 [ -s commands.sh ] || { echo "$document shows no commands"; exit 1; }

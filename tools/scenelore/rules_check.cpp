@@ -16,7 +16,7 @@ class RulesCheckCommand : public Command {
  public:
   std::string name() const override { return "rules check"; }
   std::string summary() const override { return "Check the rule files and the constraint rows of a knowledge base."; }
-  std::string example() const override { return "scenelore rules check office.gpkg --rules rules"; }
+  std::string example() const override { return "scenelore rules check office.gpkg"; }
   std::vector<Argument> arguments() override {
     return {positional("FILE", &file_, "FILE", "knowledge base file"),
             {"--rules", &rules_, "DIR", "folder of relation and feature files besides the built-in ones; may be repeated",

@@ -37,7 +37,7 @@ class SimulateCommand : public Command {
  public:
   std::string name() const override { return "simulate"; }
   std::string summary() const override { return "Make a scan of a furnished office with ground truth per point and per object."; }
-  std::string example() const override { return "scenelore simulate office.ply --seed 7"; }
+  std::string example() const override { return "scenelore simulate office.ply --seed 11"; }
   std::vector<Argument> arguments() override {
     return {positional("OUT", &out_, "FILE", "point cloud to write (.ply, .pcd, .csv); the truth goes to OUT's name with .truth.json"),
             {"--seed", &options_.seed, "N", "which room; the same seed gives the same bytes", Effect::result},
