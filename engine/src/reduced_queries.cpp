@@ -24,7 +24,9 @@ Reduction* Solver::Implementation::reduction(Component& component, Cost limit) c
   auto& kept = component.reduction;
   if (kept == nullptr || kept->cutoff < limit) {
     const Cost reach = kept == nullptr ? 0 : 2 * (kept->cutoff - component.best_cost);
-    kept = std::make_unique<Reduction>(reduce(component, std::max(limit, component.best_cost + reach)));
+    const Cost wanted = std::max(limit, component.best_cost + reach);
+    // A little more, so that the same reach, rounded another way, does not need another one.
+    kept = std::make_unique<Reduction>(reduce(component, wanted + (wanted - component.best_cost) / 1024 + 1));
   }
   return kept.get();
 }
