@@ -8,6 +8,7 @@
 
 #include "flip_costs.hpp"
 #include "reasons.hpp"
+#include "scenelore/engine/checker.hpp"
 #include "scenelore/rules/labelling.hpp"
 
 namespace scenelore::rules {
@@ -45,8 +46,29 @@ void add_alternatives(const Case& about, const World& best, engine::Solver& solv
 /// takes most of the time of a relabelling and tells a person nothing.
 constexpr double kMarginReach = 5;
 
-/// The best world in which each plane is something else; nothing where there is none within reach or the time is up.
-std::vector<std::optional<World>> rivals(const Case& about, const World& best, engine::Solver& solver, double seconds) {
+/// Nodes that all margins of a scan together may take. A furnished room needs a few dozen; a scan full of unclear planes could
+/// take minutes. Counted in nodes, not seconds, so that the answer is the same on every machine.
+constexpr std::uint64_t kRivalNodes = 600;
+
+/// The best world but for the label of one variable; nothing when that label cannot change alone.
+std::optional<engine::Solution> nearest_other(const engine::Problem& problem, const engine::Solution& best,
+                                              const std::vector<double>& flips, int variable) {
+  const auto least = std::min_element(flips.begin(), flips.end());  // the label itself has an infinite price
+  if (least == flips.end() || !std::isfinite(*least)) return std::nullopt;
+  engine::Solution other = best;
+  other.assignment[at(variable)] = static_cast<int>(least - flips.begin());
+  const engine::Check checked = engine::check(problem, other.assignment);
+  other.cost = checked.cost;
+  other.violations = checked.violations;
+  return other;
+}
+
+/// The best world in which each plane is something else; nothing where there is none within reach or the time is up. When
+/// the nodes are used up, the best world but for this label stands in: its extra cost is no less than the true margin.
+std::vector<std::optional<World>> rivals(const Case& about, const World& best, const engine::Solution& solution,
+                                         engine::Solver& solver, double seconds) {
+  std::vector<std::vector<double>> flips;  // only made when it is needed
+  std::uint64_t nodes = 0;
   const Clock::time_point start = Clock::now();
   std::vector<std::optional<World>> out(at(about.planes()));
   for (int plane = 0; plane < about.planes(); ++plane) {
@@ -54,8 +76,17 @@ std::vector<std::optional<World>> rivals(const Case& about, const World& best, e
     if (about.compiled.class_of_label[at(variable)].size() < 2) continue;
     if (std::chrono::duration<double>(Clock::now() - start).count() > seconds) break;
     const int label = about.compiled.label_of_class[at(variable)][at(best.class_of(plane))];
-    const engine::Solution other = 
+    if (nodes > kRivalNodes) {
+      if (flips.empty()) flips = flip_costs(about.compiled.problem, solution.assignment);
+      std::vector<double> prices = flips[at(variable)];
+      prices[at(label)] = std::numeric_limits<double>::infinity();
+      const auto other = nearest_other(about.compiled.problem, solution, prices, variable);
+      if (other && other->cost < best.cost() + kMarginReach) out[at(plane)].emplace(about, *other);
+      continue;
+    }
+    const engine::Solution other =
         solver.solve({.fixed = {}, .forbidden = {{variable, label}}, .below = best.cost() + kMarginReach});
+    nodes += other.nodes;
     if (!other.assignment.empty()) out[at(plane)].emplace(about, other);
   }
   return out;
@@ -146,7 +177,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   const FactIndex index(scene, facts);
   const Case about{knowledge, scene, evidence, index, compiled};
   const World best(about, solution);
-  const auto other_worlds = rivals(about, best, solver, options.solver.limits.seconds);
+  const auto other_worlds = rivals(about, best, solution, solver, options.solver.limits.seconds);
   const Probabilities probabilities(about, solver, solution);
   std::vector<double> margins;
   for (int plane = 0; plane < about.planes(); ++plane) {
