@@ -1,4 +1,4 @@
--- Learned by `make knowledge` from planes of 42 simulated paper-like rooms, seeds 1 to 7, range noise 1 cm.
+-- Learned by the procedure of `make knowledge` (run over cached planes, not yet by the command itself) from 42 simulated paper-like rooms, seeds 1 to 7, range noise 1 cm.
 -- Priors, Gaussians and densities of classes with enough examples replace the hand-set rows of office.sql.
 
 -- unknown: 1221 examples
