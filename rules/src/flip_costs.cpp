@@ -18,11 +18,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Flips {
  public:
   Flips(const engine::Problem& problem, const std::vector<int>& assignment) : problem_(problem), now_(assignment) {
+    for (const engine::Variable& variable : problem.variables()) delta.emplace_back(variable.costs.size(), 0.0);
+  }
+
+  void add_variables() {
     for (std::size_t v = 0; v < now_.size(); ++v) {
-      const engine::Variable& variable = problem.variables()[v];
-      std::vector<double> row;
-      for (const double cost : variable.costs) row.push_back(cost - variable.costs[at(now_[v])]);
-      delta.push_back(std::move(row));
+      const std::vector<double>& costs = problem_.variables()[v].costs;
+      for (std::size_t l = 0; l < costs.size(); ++l) delta[v][l] += costs[l] - costs[at(now_[v])];
     }
   }
 
@@ -129,7 +131,15 @@ class Flips {
 
 std::vector<std::vector<double>> flip_costs(const engine::Problem& problem, const std::vector<int>& assignment) {
   Flips flips(problem, assignment);
+  flips.add_variables();
   for (const engine::Constraint& constraint : problem.constraints()) flips.add(constraint);
+  return std::move(flips.delta);
+}
+
+std::vector<std::vector<double>> flip_costs(const engine::Problem& problem, const std::vector<int>& assignment,
+                                            std::span<const int> constraints) {
+  Flips flips(problem, assignment);
+  for (const int index : constraints) flips.add(problem.constraints()[at(index)]);
   return std::move(flips.delta);
 }
 
