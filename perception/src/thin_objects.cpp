@@ -1,225 +1,198 @@
 #include "thin_objects.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
-#include <optional>
 
-#include "cell_index.hpp"
+#include "height_map.hpp"
+#include "support.hpp"
 
 namespace scenelore::perception {
 namespace {
 
 constexpr double kSmallestSupport = 0.1;   // m²
-constexpr double kLevel = 0.9945;          // cosine of 6 degrees
-constexpr double kCell = 0.04;             // metres
-constexpr double kHighest = 0.08;          // metres above the support
-constexpr double kLowest = 0.009;          // metres; papers and warped boards stay with their support
-constexpr double kLowerLevel = 0.3;        // of the points of the main level
-constexpr double kCertain = 4.5;           // deviations of a cell's mean
-constexpr double kCovering = 0.6;          // mean of all points of a patch's cells in units of its level
-constexpr double kSmallestPatch = 0.007;   // m², half a paperback
+constexpr double kSmallestPatch = 0.006;   // m², half a paperback
+constexpr double kFlat = 0.008;            // metres, or 1.3 times the support's noise
+constexpr double kFreeCell = 0.1;          // metres
+constexpr double kLayer = 0.85;            // of its points
+constexpr double kLeastSlant = 0.985, kMostSlant = 0.5;  // cosines of 10 and 60 degrees
 
-struct Sample {
-  std::uint32_t point;
-  Eigen::Vector2d at;  // along the support
-  double height;       // over the support, towards the room
-};
-
-/// A support with the direction in which things lie on it.
-struct Support {
-  Eigen::Vector3d normal, centroid;
-  Eigen::Vector3d u, v;
-  double noise = 0;  // metres, of its own points
-  bool level = false;
-
-  [[nodiscard]] Sample sample(const Cloud& cloud, std::uint32_t i) const {
-    const Eigen::Vector3d d = cloud.offset(i).cast<double>() - centroid;
-    return {i, {u.dot(d), v.dot(d)}, normal.dot(d)};
-  }
-};
-
-CellKey key_at(const Eigen::Vector2d& p) {
-  return cell_key(static_cast<std::int64_t>(std::floor(p.x() / kCell)), static_cast<std::int64_t>(std::floor(p.y() / kCell)), 0);
-}
-
-/// The height of the support itself: the middle of the fullest window of 6 mm. With `lowest`, that of the lowest peak with
-/// 30 % as many points, where a valley lies between: of two desks that stand side by side the lower one carries.
-double main_level(std::vector<double> heights, bool lowest) {
-  constexpr double window = 0.006;
-  std::sort(heights.begin(), heights.end());
-  std::vector<std::size_t> held(heights.size());  // samples in the window that ends at each one
-  std::size_t best = 0;
-  for (std::size_t from = 0, to = 0; to < heights.size(); ++to) {
-    while (heights[to] - heights[from] > window) ++from;
-    held[to] = to - from + 1;
-    if (held[to] > held[best]) best = to;
-  }
-  std::size_t peak = 0;
-  for (std::size_t to = 0; lowest && to < best; ++to) {
-    if (held[to] > held[peak]) peak = to;
-    const bool valley = 2 * held[to] < held[peak] && held[peak] >= 20;
-    if (valley && static_cast<double>(held[peak]) > kLowerLevel * static_cast<double>(held[best])) return heights[peak] - window / 2;
-  }
-  return heights[best] - window / 2;
-}
-
-/// Scatter below the level, where nothing lies: its mirror image is what the support would scatter without things on it.
-/// By the quantile that is one deviation of a Gaussian, which edges and what stands behind hardly move.
-double noise_below(const std::vector<Sample>& samples, double level) {
-  std::vector<double> below;
-  for (const Sample& s : samples) {
-    if (s.height < level && s.height > level - 0.05) below.push_back(level - s.height);
-  }
-  if (below.size() < 5) return 0.003;
-  const auto at = below.begin() + static_cast<std::ptrdiff_t>(0.683 * static_cast<double>(below.size()));
-  std::nth_element(below.begin(), at, below.end());
-  return *at;
-}
-
-class Splitter {
+/// Free points by cells of 10 cm, so that those near a support are found without looking at all.
+class FreePoints {
  public:
-  Splitter(const Cloud& cloud, const Limits& limits, Regions& regions) : cloud_(cloud), limits_(limits), regions_(regions) {}
+  FreePoints(const Cloud& cloud, const Regions& regions) : cloud_(cloud) {
+    std::vector<CellKey> keys(cloud.size(), kNoCell);
+    constexpr float limit = static_cast<float>(kCellLimit) * static_cast<float>(kFreeCell);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      if (regions.of_point[i] < 0 && cloud.offset(i).cwiseAbs().maxCoeff() < limit) keys[i] = key_of(i);
+    }
+    cells_ = CellIndex(keys);
+  }
 
-  /// `samples` are the support's own points and the free ones near it.
-  void split(const Support& support, const std::vector<Sample>& samples);
+  /// Those in the cells of these points and around them.
+  [[nodiscard]] std::vector<std::uint32_t> near(const std::vector<std::uint32_t>& points) const {
+    std::vector<CellKey> near;
+    for (const std::uint32_t i : points) {
+      const CellKey key = key_of(i);
+      if (near.empty() || near.back() != key) near.push_back(key);
+    }
+    sort_out(near);
+    std::vector<std::int32_t> around;
+    for (const CellKey key : near) {
+      for (int d = 0; d < 27; ++d) {
+        const std::int32_t c = cells_.find(moved(key, d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
+        if (c >= 0) around.push_back(c);
+      }
+    }
+    sort_out(around);
+    std::vector<std::uint32_t> found;
+    for (const std::int32_t c : around) {
+      const auto items = cells_.items(static_cast<std::size_t>(c));
+      found.insert(found.end(), items.begin(), items.end());
+    }
+    return found;
+  }
 
  private:
-  void make_region(const CellIndex& cells, const std::vector<Sample>& samples, const std::vector<std::int32_t>& patch, double noise);
+  [[nodiscard]] CellKey key_of(std::size_t i) const {
+    const Eigen::Vector3f p = cloud_.offset(i) / static_cast<float>(kFreeCell);
+    return cell_key(static_cast<std::int64_t>(std::floor(p.x())), static_cast<std::int64_t>(std::floor(p.y())),
+                    static_cast<std::int64_t>(std::floor(p.z())));
+  }
+  static void sort_out(auto& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  }
+
+  const Cloud& cloud_;
+  CellIndex cells_;
+};
+
+/// What a support carries, seen from above: the polygon of its extents in sixteen directions.
+class Footprint {
+ public:
+  explicit Footprint(const std::vector<Sample>& samples) {
+    extent_.fill(-std::numeric_limits<double>::infinity());
+    for (const Sample& s : samples) {
+      for (std::size_t k = 0; k < kDirections; ++k) extent_[k] = std::max(extent_[k], along(s.at, k));
+    }
+  }
+  [[nodiscard]] bool holds(const Eigen::Vector2d& p) const {
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      if (along(p, k) > extent_[k]) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kDirections = 16;
+  static double along(const Eigen::Vector2d& p, std::size_t k) {
+    const double angle = static_cast<double>(k) * 2 * std::numbers::pi / kDirections;
+    return std::cos(angle) * p.x() + std::sin(angle) * p.y();
+  }
+  std::array<double, kDirections> extent_;
+};
+
+/// Growing takes the tops of all that lies on a table for one plane a little above it. True when these points are such a
+/// layer: nearly all of them over the footprint and no higher than thin things are.
+bool is_layer_on(const Support& support, const Footprint& footprint, const Cloud& cloud, const std::vector<std::uint32_t>& points) {
+  std::size_t over = 0, asked = 0;
+  const std::size_t step = 1 + points.size() / 500;
+  for (std::size_t k = 0; k < points.size(); k += step, ++asked) {
+    const Sample s = support.sample(cloud, points[k]);
+    over += s.height > -kLowest && s.height < kHighest && footprint.holds(s.at);
+  }
+  return static_cast<double>(over) > kLayer * static_cast<double>(asked);
+}
+
+/// Puts the things on one support into regions of their own.
+class Splitter {
+ public:
+  Splitter(const Cloud& cloud, const Limits& limits, const Support& support, const std::vector<Sample>& samples, Regions& regions)
+      : cloud_(cloud), limits_(limits), support_(support), samples_(samples), regions_(regions), taken_(samples.size(), false) {}
+
+  /// Where points are dense, fine cells part things that lie close together; what they are too fine for is left to coarse ones.
+  void split() {
+    const double fine = fitting_edge(samples_), coarse = 0.04;
+    split_at(fine);
+    if (fine < 0.7 * coarse) split_at(coarse);
+  }
+
+ private:
+  void split_at(double edge);
 
   const Cloud& cloud_;
   const Limits& limits_;
+  const Support& support_;
+  const std::vector<Sample>& samples_;
   Regions& regions_;
+  std::vector<bool> taken_;
 };
 
-struct CellMean {
-  double n = 0, sum = 0;
-};
-
-/// What does not average out: warped tops, distortion of the camera. Things lie on one side only, so the places below the
-/// middle tell how far the means over 3×3 cells scatter beyond what the noise of their points explains.
-double waviness(const std::vector<CellMean>& wide, double noise) {
-  std::vector<double> means;
-  double noise_squares = 0;
-  for (const CellMean& m : wide) {
-    if (m.n < 15) continue;
-    means.push_back(m.sum / m.n);
-    noise_squares += noise * noise / m.n;
+void Splitter::split_at(double edge) {
+  std::vector<Sample> open;
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    if (taken_[k]) continue;
+    open.push_back(samples_[k]);
+    open.back().point = static_cast<std::uint32_t>(k);
   }
-  if (means.size() < 20) return 0;
-  std::sort(means.begin(), means.end());
-  const double scatter = means[means.size() * 2 / 5] - means[means.size() / 10];  // one deviation of a Gaussian
-  return std::sqrt(std::max(0.0, scatter * scatter - noise_squares / static_cast<double>(means.size())));
-}
-
-void Splitter::split(const Support& support, const std::vector<Sample>& samples) {
-  std::vector<CellKey> keys(samples.size());
-  for (std::size_t k = 0; k < samples.size(); ++k) keys[k] = key_at(samples[k].at);
-  const CellIndex cells(keys);
-  std::vector<CellMean> means(cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (const std::uint32_t k : cells.items(c)) means[c].n += 1, means[c].sum += samples[k].height;
+  const HeightMap map = make_height_map(open, edge, support_.noise);
+  const std::vector<FlatThing> things = flat_things(map, support_.noise, limits_.min_points);
+  std::vector<std::int32_t> thing_of_cell(map.cell.size(), -1);
+  std::size_t covered = 0;
+  for (std::size_t t = 0; t < things.size(); ++t) {
+    for (const std::size_t c : things[t].cells) thing_of_cell[c] = static_cast<std::int32_t>(t);
+    covered += things[t].cells.size();
   }
-  std::vector<CellMean> wide(cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (int d = 0; d < 9; ++d) {
-      const std::int32_t n = cells.find(moved(cells.key(c), d / 3 - 1, d % 3 - 1, 0));
-      if (n >= 0) wide[c].n += means[n].n, wide[c].sum += means[n].sum;
+  // What covers most of a wall is the wall; desks of two heights may stand side by side.
+  if (!support_.level && 2 * covered > map.cell.size()) return;
+  for (std::size_t t = 0; t < things.size(); ++t) {
+    std::vector<std::uint32_t> points;
+    const FlatThing& thing = things[t];
+    const double reach = std::max({3 * support_.noise, 0.006});
+    double sum = 0, everything = 0, n = 0;
+    Moments moments;
+    const auto take = [&](std::uint32_t k) {
+      const Sample& s = open[k];
+      const double own = thing.height_at(s.at);
+      if (taken_[s.point] || std::abs(s.height - own) > reach || s.height < own / 2) return;
+      points.push_back(s.point);
+      sum += s.height;
+      moments.add(cloud_.offset(samples_[s.point].point).cast<double>());
+    };
+    std::vector<std::size_t> rim;
+    for (const std::size_t c : thing.cells) {
+      everything += map.cell[c].n * map.cell[c].height, n += map.cell[c].n;
+      for (const std::uint32_t k : map.cells.items(c)) take(k);
+      // Cells at the rim hold points of both.
+      map.for_each_neighbour(c, [&](std::size_t around) {
+        if (thing_of_cell[around] < 0) rim.push_back(around);
+      });
     }
-  }
-  const double lowest = std::max(kLowest, 3 * waviness(wide, support.noise));
-  // A cell counts as raised when the mean of its points and of those around it is.
-  std::vector<bool> raised(cells.size(), false);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const CellMean& around = wide[c];
-    const double own = means[c].sum / means[c].n, mean = around.sum / around.n;
-    const double limit = std::max(lowest, kCertain * support.noise / std::sqrt(around.n));
-    raised[c] = mean > limit * 0.7 && own > std::max(lowest, 2 * support.noise / std::sqrt(means[c].n)) && around.n >= 5;
-  }
-  std::vector<bool> seen(cells.size(), false);
-  for (std::size_t first = 0; first < cells.size(); ++first) {
-    if (!raised[first] || seen[first]) continue;
-    std::vector<std::int32_t> patch{static_cast<std::int32_t>(first)};
-    seen[first] = true;
-    for (std::size_t next = 0; next < patch.size(); ++next) {
-      for (int d = 0; d < 9; ++d) {
-        const std::int32_t n = cells.find(moved(cells.key(static_cast<std::size_t>(patch[next])), d / 3 - 1, d % 3 - 1, 0));
-        if (n < 0 || !raised[n] || seen[n]) continue;
-        seen[n] = true;
-        patch.push_back(n);
-      }
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    for (const std::size_t c : rim) {
+      for (const std::uint32_t k : map.cells.items(c)) take(k);
     }
-    // What covers most of a wall is the wall; desks of two heights may stand side by side.
-    if (support.level || 2 * patch.size() < cells.size()) make_region(cells, samples, patch, support.noise);
-  }
-}
-
-void Splitter::make_region(const CellIndex& cells, const std::vector<Sample>& samples,
-                           const std::vector<std::int32_t>& patch, double noise) {
-  // Half way up belongs to the thing; the level itself is found from what lies above.
-  std::vector<double> heights;
-  CellMean everything;
-  for (const std::int32_t c : patch) {
-    for (const std::uint32_t k : cells.items(static_cast<std::size_t>(c))) {
-      if (samples[k].height > kLowest) heights.push_back(samples[k].height);
-      everything.n += 1, everything.sum += samples[k].height;
+    const auto count = static_cast<double>(points.size());
+    if (count < limits_.min_points) continue;
+    const PlaneFit plane = fit_plane(moments);
+    const double offset = sum / count;
+    // Picking the high points out of noise gives a level too; then there are as many low ones in the same cells.
+    const bool covering = everything > 0.6 * offset * n;
+    const bool significant = offset > kCertain * std::max(support_.noise, plane.rmse()) / std::sqrt(count) && offset > kLowest;
+    const bool flat = plane.rmse() < std::max(kFlat, 1.3 * support_.noise) && plane.variances[1] > 4 * plane.variances[0];
+    if (!covering || !significant || !flat || plane.spread_area() < kSmallestPatch) continue;
+    const auto number = static_cast<std::int32_t>(regions_.planes.size());
+    for (const std::uint32_t k : points) {
+      taken_[k] = true;
+      regions_.of_point[samples_[k].point] = number;
     }
+    regions_.planes.push_back(plane);
   }
-  if (static_cast<double>(heights.size()) < limits_.min_points) return;
-  std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2), heights.end());
-  const double level = heights[heights.size() / 2];
-  // Picking the high points out of noise gives a level too; then there are as many low ones in the same place.
-  if (everything.sum < kCovering * level * everything.n) return;
-  Moments moments;
-  std::vector<std::uint32_t> points;
-  double squares = 0, sum = 0;
-  const auto take = [&](std::uint32_t k) {
-    const Sample& s = samples[k];
-    if (s.height < level / 2 || s.height > level + std::max(3 * noise, 0.015)) return;
-    points.push_back(s.point);
-    moments.add(cloud_.offset(s.point).cast<double>());
-    squares += (s.height - level) * (s.height - level);
-    sum += s.height;
-  };
-  // Cells at the rim hold points of both; those half way up are the thing's.
-  std::vector<bool> in_patch(cells.size(), false);
-  std::vector<std::int32_t> all = patch;
-  for (const std::int32_t c : patch) in_patch[c] = true;
-  for (const std::int32_t c : patch) {
-    for (int d = 0; d < 9; ++d) {
-      const std::int32_t n = cells.find(moved(cells.key(static_cast<std::size_t>(c)), d / 3 - 1, d % 3 - 1, 0));
-      if (n >= 0 && !in_patch[n]) in_patch[n] = true, all.push_back(n);
-    }
-  }
-  for (const std::int32_t c : all) {
-    for (const std::uint32_t k : cells.items(static_cast<std::size_t>(c))) take(k);
-  }
-  const auto n = static_cast<double>(points.size());
-  if (n < limits_.min_points) return;
-  const PlaneFit plane = fit_plane(moments);
-  const double offset = sum / n, scatter = std::sqrt(squares / n);
-  const bool significant = offset > kCertain * std::max(noise, scatter) / std::sqrt(n) && offset > kLowest;
-  const bool flat = plane.rmse() < std::max(0.008, 1.3 * noise) && plane.variances[1] > 4 * plane.variances[0];
-  if (!significant || !flat || plane.spread_area() < kSmallestPatch) return;
-  const auto number = static_cast<std::int32_t>(regions_.planes.size());
-  for (const std::uint32_t i : points) regions_.of_point[i] = number;
-  regions_.planes.push_back(plane);
-}
-
-/// Towards the room: up for level planes, else towards the sensor, else none.
-std::optional<Eigen::Vector3d> front(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up) {
-  const double c = plane.normal.dot(up);
-  if (std::abs(c) > kLevel) return c > 0 ? plane.normal : Eigen::Vector3d(-plane.normal);
-  if (!cloud.viewpoint) return std::nullopt;
-  return plane.distance(*cloud.viewpoint - cloud.origin) > 0 ? plane.normal : Eigen::Vector3d(-plane.normal);
-}
-
-/// Free points by cells of 10 cm, so that those near a support are found without looking at all.
-constexpr double kFreeCell = 0.1;
-
-CellKey free_key(const Eigen::Vector3f& p) {
-  return cell_key(static_cast<std::int64_t>(std::floor(p.x() / kFreeCell)), static_cast<std::int64_t>(std::floor(p.y() / kFreeCell)),
-                  static_cast<std::int64_t>(std::floor(p.z() / kFreeCell)));
 }
 
 }  // namespace
@@ -228,67 +201,52 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
   const Eigen::Vector3d up = upright.rotation.inverse() * Eigen::Vector3d::UnitZ();
   const std::size_t count = regions.planes.size();
   const auto points = points_of_regions(regions.of_point, count);
-  std::vector<CellKey> keys(cloud.size(), kNoCell);
-  constexpr float limit = static_cast<float>(kCellLimit) * static_cast<float>(kFreeCell);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (regions.of_point[i] < 0 && cloud.offset(i).cwiseAbs().maxCoeff() < limit) keys[i] = free_key(cloud.offset(i));
+  const FreePoints free(cloud, regions);
+  std::vector<bool> dissolved(count, false);
+  // Planes at such angles are seldom furniture; where they cut through what lies on a table, the table's things come first.
+  std::vector<bool> slanting(count, false);
+  for (std::size_t q = 0; q < count; ++q) {
+    const double c = std::abs(regions.planes[q].normal.dot(up));
+    slanting[q] = regions.planes[q].count > 0 && c < kLeastSlant && c > kMostSlant;
   }
-  const CellIndex free(keys);
   std::vector<std::int32_t> order(count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return regions.planes[a].count > regions.planes[b].count; });
-  Splitter splitter(cloud, limits, regions);
   for (const std::int32_t r : order) {
     const PlaneFit plane = regions.planes[r];
-    if (plane.count == 0 || plane.spread_area() < kSmallestSupport) continue;
-    const bool level = std::abs(plane.normal.dot(up)) > kLevel;
-    const std::optional<Eigen::Vector3d> towards_room = front(cloud, plane, up);
-    if (!towards_room) continue;
-    Support support;
-    support.level = level;
-    support.normal = level ? up : *towards_room;
-    support.centroid = plane.centroid;
-    support.u = plane.axes.col(1) - support.normal * support.normal.dot(plane.axes.col(1));
-    support.u.normalize();
-    support.v = support.normal.cross(support.u);
-    std::vector<Sample> own;
-    std::vector<double> heights;
-    for (const std::uint32_t i : points[r]) {
-      own.push_back(support.sample(cloud, i));
-      heights.push_back(own.back().height);
-    }
-    const double main = main_level(heights, level);
-    support.noise = std::max(0.0015, noise_below(own, main));
-    support.centroid += main * support.normal;
-    std::vector<CellKey> near;
-    for (Sample& s : own) {
-      s.height -= main;
-      const CellKey key = free_key(cloud.offset(s.point));
-      if (near.empty() || near.back() != key) near.push_back(key);
-    }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    std::vector<std::int32_t> around;
-    for (const CellKey key : near) {
-      for (int d = 0; d < 27; ++d) {
-        const std::int32_t c = free.find(moved(key, d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
-        if (c >= 0) around.push_back(c);
+    if (dissolved[r] || plane.count == 0 || plane.spread_area() < kSmallestSupport) continue;
+    const std::optional<Support> support = make_support(cloud, plane, points[r], up);
+    if (!support) continue;
+    std::vector<Sample> samples;
+    for (const std::uint32_t i : points[r]) samples.push_back(support->sample(cloud, i));
+    const std::size_t own = samples.size();
+    const auto add_free = [&](const std::vector<std::uint32_t>& some) {
+      for (const std::uint32_t i : some) {
+        const std::int32_t of = regions.of_point[i];
+        if (of >= 0 && !(of < static_cast<std::int32_t>(count) && slanting[static_cast<std::size_t>(of)])) continue;
+        const Sample s = support->sample(cloud, i);
+        if (s.height > -2 * support->noise && s.height < kHighest) samples.push_back(s);
       }
-    }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    for (const std::int32_t c : around) {
-      for (const std::uint32_t i : free.items(static_cast<std::size_t>(c))) {
-        if (regions.of_point[i] >= 0) continue;  // taken by a patch on a larger support
-        const Sample s = support.sample(cloud, i);
-        if (s.height > -2 * support.noise && s.height < kHighest) own.push_back(s);
+    };
+    add_free(free.near(points[r]));
+    const Footprint footprint(samples);
+    for (std::size_t q = 0; support->level && q < count; ++q) {
+      if (dissolved[q] || regions.planes[q].count == 0 || regions.planes[q].count >= plane.count) continue;
+      if (slanting[q] && regions.planes[q].spread_area() > kSmallestSupport) {
+        add_free(points[q]);
+        continue;
       }
+      if (!is_layer_on(*support, footprint, cloud, points[q])) continue;
+      dissolved[q] = true;
+      for (const std::uint32_t i : points[q]) regions.of_point[i] = -1;
+      add_free(points[q]);
     }
-    splitter.split(support, own);
-    if (!level) continue;
+    Splitter(cloud, limits, *support, samples, regions).split();
+    if (!support->level) continue;
     // Rays graze tops, whose noise is far below that of a single range: edges and feet need not come along.
-    const double reach = std::max(kLowest, 4 * support.noise);
-    for (const Sample& s : own) {
+    const double reach = std::max(kLowest, 4 * support->noise);
+    for (std::size_t k = 0; k < own; ++k) {
+      const Sample& s = samples[k];
       if (regions.of_point[s.point] == r && std::abs(s.height) > reach) regions.of_point[s.point] = -1;
     }
   }

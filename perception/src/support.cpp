@@ -1,0 +1,116 @@
+#include "support.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kLeastNoise = 0.0015;  // metres
+constexpr double kLowerLevel = 0.3;     // of the points of the main level
+constexpr double kWindow = 0.006;       // metres, width of a peak of heights
+constexpr double kMostSlope = 0.026;    // 1.5 degrees
+constexpr std::size_t kMostHeights = 20'000;
+
+/// The height of the support itself: the middle of the fullest window of 6 mm. With `lowest`, that of the lowest peak with
+/// 30 % as many points, where a valley lies between: of two desks that stand side by side the lower one carries.
+double main_level(std::vector<double> heights, bool lowest) {
+  std::sort(heights.begin(), heights.end());
+  std::vector<std::size_t> held(heights.size());  // samples in the window that ends at each one
+  std::size_t best = 0;
+  for (std::size_t from = 0, to = 0; to < heights.size(); ++to) {
+    while (heights[to] - heights[from] > kWindow) ++from;
+    held[to] = to - from + 1;
+    if (held[to] > held[best]) best = to;
+  }
+  std::size_t peak = 0;
+  for (std::size_t to = 0; lowest && to < best; ++to) {
+    if (held[to] > held[peak]) peak = to;
+    const bool valley = 2 * held[to] < held[peak] && held[peak] >= 20;
+    if (valley && static_cast<double>(held[peak]) > kLowerLevel * static_cast<double>(held[best])) return heights[peak] - kWindow / 2;
+  }
+  return heights[best] - kWindow / 2;
+}
+
+/// Scatter below the level, where nothing lies: its mirror image is what the support would scatter without things on it.
+/// By the quantile that is one deviation of a Gaussian, which edges and what stands behind hardly move.
+double noise_below(const std::vector<Sample>& samples) {
+  std::vector<double> below;
+  for (const Sample& s : samples) {
+    if (s.height < 0 && s.height > -0.05) below.push_back(-s.height);
+  }
+  if (below.size() < 5) return 0.003;
+  const auto at = below.begin() + static_cast<std::ptrdiff_t>(0.683 * static_cast<double>(below.size()));
+  std::nth_element(below.begin(), at, below.end());
+  return std::max(kLeastNoise, *at);
+}
+
+/// At most kMostHeights points, evenly picked: level, slope and noise need no more.
+std::vector<Sample> some_samples(const Cloud& cloud, const Support& support, const std::vector<std::uint32_t>& points) {
+  std::vector<Sample> samples;
+  const std::size_t step = 1 + points.size() / kMostHeights;
+  for (std::size_t k = 0; k < points.size(); k += step) samples.push_back(support.sample(cloud, points[k]));
+  return samples;
+}
+
+void find_level(Support& support, const std::vector<Sample>& samples) {
+  std::vector<double> heights;
+  for (const Sample& s : samples) heights.push_back(s.height);
+  support.centroid += main_level(std::move(heights), support.level) * support.normal;
+}
+
+/// Tilts the frame to the least-squares plane of the samples near its level. A table that stands half a degree out of level
+/// rises by a centimetre over its length, as much as what lies on it.
+void follow_slope(Support& support, const std::vector<Sample>& samples) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const double near = std::max(2.5 * support.noise, 0.006);
+  for (const Sample& s : samples) {
+    if (std::abs(s.height) > near) continue;
+    const Eigen::Vector3d row(1, s.at.x(), s.at.y());
+    normal += row * row.transpose();
+    right += s.height * row;
+  }
+  if (normal(0, 0) < 30) return;
+  // A pretended 30 points per square metre say that it is level.
+  normal(1, 1) += 0.1 * normal(0, 0) * 0.01 + 0.3;
+  normal(2, 2) += 0.1 * normal(0, 0) * 0.01 + 0.3;
+  const Eigen::Vector3d fit = normal.ldlt().solve(right);
+  Eigen::Vector2d slope(fit[1], fit[2]);
+  if (slope.norm() > kMostSlope) slope *= kMostSlope / slope.norm();
+  support.centroid += fit[0] * support.normal;
+  const Eigen::Vector3d tilted = (support.normal - slope.x() * support.u - slope.y() * support.v).normalized();
+  support.normal = tilted;
+  support.u = (support.u - tilted * tilted.dot(support.u)).normalized();
+  support.v = tilted.cross(support.u);
+}
+
+}  // namespace
+
+std::optional<Support> make_support(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points,
+                                    const Eigen::Vector3d& up) {
+  Support support;
+  const double c = plane.normal.dot(up);
+  support.level = std::abs(c) > kLevel;
+  if (!support.level && !cloud.viewpoint) return std::nullopt;
+  const bool outward = support.level ? c > 0 : plane.distance(*cloud.viewpoint - cloud.origin) > 0;
+  // Things on a table tip the plane fitted to both; the table itself is level.
+  support.normal = support.level ? up : outward ? plane.normal : Eigen::Vector3d(-plane.normal);
+  support.centroid = plane.centroid;
+  support.u = (plane.axes.col(1) - support.normal * support.normal.dot(plane.axes.col(1))).normalized();
+  support.v = support.normal.cross(support.u);
+  for (int round = 0; round < 3; ++round) {
+    std::vector<Sample> samples = some_samples(cloud, support, points);
+    if (round == 0) {
+      find_level(support, samples);
+      samples = some_samples(cloud, support, points);
+    }
+    support.noise = noise_below(samples);
+    follow_slope(support, samples);
+  }
+  support.noise = noise_below(some_samples(cloud, support, points));
+  return support;
+}
+
+}  // namespace scenelore::perception
