@@ -52,6 +52,7 @@ void KnowledgeBase::register_features(const std::vector<Feature>& features) {
   const std::vector<std::string> known = catalogue(database);
   const auto is_known = [&](const Feature& f) { return std::binary_search(known.begin(), known.end(), f.name); };
   if (std::all_of(features.begin(), features.end(), is_known)) return;
+  implementation_->read.reset();
   Transaction transaction(database);
   Statement insert = database.prepare(
       "INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES (?, ?, ?, ?, ?, 0, ?) "

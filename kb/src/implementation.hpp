@@ -1,6 +1,8 @@
 // What a KnowledgeBase owns.
 #pragma once
 
+#include <optional>
+
 #include "scenelore/kb/knowledge_base.hpp"
 #include "sqlite.hpp"
 
@@ -9,6 +11,13 @@ namespace scenelore::kb {
 struct KnowledgeBase::Implementation {
   Implementation(const std::filesystem::path& path, OpenMode mode) : database(path, mode) {}
   Database database;
+
+  /// The knowledge as it was read and checked last. Thousands of rows are read once a command, not once a question.
+  struct Read {
+    std::int64_t version = 0;  ///< PRAGMA data_version: changes when another connection has changed the file
+    Knowledge knowledge;
+  };
+  std::optional<Read> read;  ///< whoever writes knowledge tables through this connection resets it
 };
 
 }  // namespace scenelore::kb

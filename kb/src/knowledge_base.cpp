@@ -131,13 +131,23 @@ KnowledgeBase KnowledgeBase::open(const fs::path& path, Access access) {
 }
 
 Knowledge KnowledgeBase::knowledge() const {
-  Knowledge knowledge = read_knowledge(implementation_->database);
-  validate(knowledge, implementation_->database.name());
-  return knowledge;
+  const Database& database = implementation_->database;
+  Statement pragma = database.prepare("PRAGMA data_version");
+  auto row = pragma.use();
+  const std::int64_t version = row.next() ? row.integer(0) : 0;
+  std::optional<Implementation::Read>& read = implementation_->read;
+  if (!read || read->version != version) {
+    read.reset();
+    Knowledge knowledge = read_knowledge(database);
+    validate(knowledge, database.name());
+    read = {version, std::move(knowledge)};
+  }
+  return read->knowledge;
 }
 
 void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& source) {
   Database& database = implementation_->database;
+  implementation_->read.reset();
   Transaction transaction(database);
   try {
     const Guard guard(database, Permission::knowledge);
@@ -153,6 +163,6 @@ void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& s
   transaction.commit();
 }
 
-std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(implementation_->database); }
+std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(knowledge()); }
 
 }  // namespace scenelore::kb

@@ -1,8 +1,9 @@
 #include "knowledge_rows.hpp"
 
-#include <sqlite3.h>
-
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "scenelore/kb/sha256.hpp"
 
@@ -66,36 +67,61 @@ Knowledge read_knowledge(const Database& database) {
   return knowledge;
 }
 
-// Every value of every knowledge table in the order of its names, each with its type and, for text, its length, so that
-// no two contents give the same bytes. Row ids that nothing refers to do not matter.
-std::string hash_knowledge(const Database& database) {
-  static constexpr std::array kTables = {
-      "SELECT id, name, prior, description, color, fallback FROM object_class ORDER BY id",
-      "SELECT name, unit, scale, low, high, weight, description FROM feature ORDER BY name",
-      "SELECT class, feature, mean, sigma FROM class_feature ORDER BY class, feature",
-      "SELECT class, feature, low, high, density FROM class_density ORDER BY class, feature, low",
-      "SELECT key, value FROM setting ORDER BY key",
-      "SELECT id, name, class, quantifier, relation, other_class, count, weight, message, enabled FROM class_constraint "
-      "ORDER BY id"};
-  Sha256 hash;
-  const auto add_number = [&](auto value) { hash.add(std::as_bytes(std::span(&value, 1))); };
-  for (const char* const table : kTables) {
-    Statement select = database.prepare(table);
-    hash.add(table);
-    for (auto row = select.use(); row.next();) {
-      for (int column = 0; column < select.columns(); ++column) {
-        const int type = row.type(column);
-        add_number(static_cast<std::uint8_t>(type));
-        if (type == SQLITE_INTEGER) add_number(row.integer(column));
-        if (type == SQLITE_FLOAT) add_number(row.real(column));
-        if (type != SQLITE_TEXT) continue;
-        const std::string text = row.text(column);
-        add_number(static_cast<std::uint64_t>(text.size()));
-        hash.add(text);
-      }
-    }
+namespace {
+
+/// Puts values in one after another, each with its kind and texts with their length, so that no two contents give the same
+/// bytes.
+class Digest {
+ public:
+  Digest& operator()(std::string_view text) {
+    number('t', static_cast<std::uint64_t>(text.size()));
+    bytes_ += text;
+    return *this;
   }
-  return hash.hex();
+  Digest& operator()(std::int64_t value) { return number('i', value); }
+  Digest& operator()(int value) { return number('i', static_cast<std::int64_t>(value)); }
+  Digest& operator()(double value) { return number('r', value == 0 ? 0.0 : value); }  // −0 is the same number
+  template <typename T>
+  Digest& operator()(const std::optional<T>& value) {
+    if (value) return (*this)(*value);
+    bytes_ += 'n';
+    return *this;
+  }
+  [[nodiscard]] std::string hex() const { return sha256_of(bytes_); }
+
+ private:
+  template <typename T>
+  Digest& number(char kind, T value) {
+    bytes_ += kind;
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    return *this;
+  }
+  std::string bytes_;
+};
+
+}  // namespace
+
+// Row ids that nothing refers to do not matter.
+std::string hash_knowledge(const Knowledge& knowledge) {
+  Digest add;
+  add("object_class");
+  for (const ObjectClass& c : knowledge.classes) add(c.id)(c.name)(c.prior)(c.description)(c.color)(c.fallback ? 1 : 0);
+  add("feature");
+  for (const Feature& f : knowledge.features) {
+    add(f.name)(f.unit)(static_cast<int>(f.scale))(f.low)(f.high)(f.weight)(f.description);
+  }
+  add("class_feature");
+  for (const ClassFeature& g : knowledge.class_features) add(g.object_class)(g.feature)(g.mean)(g.sigma);
+  add("class_density");
+  for (const ClassDensity& d : knowledge.class_densities) add(d.object_class)(d.feature)(d.low)(d.high)(d.density);
+  add("setting");
+  for (const auto& [key, value] : knowledge.settings) add(key)(value);
+  add("class_constraint");
+  for (const ClassConstraint& c : knowledge.constraints) {
+    add(c.id)(c.name)(c.object_class)(static_cast<int>(c.quantifier))(c.relation)(c.other_class)(c.count)(c.weight)(
+        c.message)(c.enabled ? 1 : 0);
+  }
+  return add.hex();
 }
 
 }  // namespace scenelore::kb

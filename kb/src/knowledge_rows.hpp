@@ -14,6 +14,7 @@ namespace scenelore::kb {
 /// refuse most of it already, but a person's connection may have foreign keys off.
 void validate(const Knowledge& knowledge, const std::string& file_name);
 
-[[nodiscard]] std::string hash_knowledge(const Database& database);
+/// SHA-256 over every value of the knowledge tables, in the order of their names and ids.
+[[nodiscard]] std::string hash_knowledge(const Knowledge& knowledge);
 
 }  // namespace scenelore::kb

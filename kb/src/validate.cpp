@@ -44,17 +44,12 @@ class Checker {
 
   void check_densities() const {
     const ClassDensity* previous = nullptr;
+    const Feature* feature = nullptr;
     for (const ClassDensity& bin : knowledge_.class_densities) {  // by class, feature, low
-      const std::string row =
-          "class_density row ('" + bin.object_class + "', '" + bin.feature + "', low " + std::to_string(bin.low) + ")";
-      check_pair(row, bin.object_class, bin.feature);
-      need(bin.low < bin.high && std::isfinite(bin.low) && std::isfinite(bin.high), row, "low must be below high");
-      need(std::isfinite(bin.density) && bin.density >= 0, row, "density must be 0 or more");
-      const Feature* const feature = find_feature(bin.feature);
-      need(feature == nullptr || feature->scale != Scale::log || bin.low > 0, row, "low must be above 0 on a log scale");
       const bool follows = previous != nullptr && previous->object_class == bin.object_class &&
                            previous->feature == bin.feature;
-      need(!follows || previous->high <= bin.low + 1e-12 * std::abs(bin.low), row, "overlaps the bin before it");
+      if (!follows) feature = find_feature(bin.feature);
+      if (!good_bin(bin, feature, follows ? previous : nullptr)) explain_bin(bin, feature, follows ? previous : nullptr);
       previous = &bin;
     }
   }
@@ -85,6 +80,24 @@ class Checker {
   }
 
  private:
+  // There are thousands of bins: what is wrong with one is worded only when something is.
+  bool good_bin(const ClassDensity& bin, const Feature* feature, const ClassDensity* previous) const {
+    return feature != nullptr && bin.low < bin.high && std::isfinite(bin.low) && std::isfinite(bin.high) &&
+           std::isfinite(bin.density) && bin.density >= 0 && (feature->scale != Scale::log || bin.low > 0) &&
+           (previous != nullptr ? previous->high <= bin.low + 1e-12 * std::abs(bin.low)
+                                : knowledge_.class_index(bin.object_class) >= 0);
+  }
+
+  void explain_bin(const ClassDensity& bin, const Feature* feature, const ClassDensity* previous) const {
+    const std::string row =
+        "class_density row ('" + bin.object_class + "', '" + bin.feature + "', low " + std::to_string(bin.low) + ")";
+    check_pair(row, bin.object_class, bin.feature);
+    need(bin.low < bin.high && std::isfinite(bin.low) && std::isfinite(bin.high), row, "low must be below high");
+    need(std::isfinite(bin.density) && bin.density >= 0, row, "density must be 0 or more");
+    need(feature == nullptr || feature->scale != Scale::log || bin.low > 0, row, "low must be above 0 on a log scale");
+    need(previous == nullptr, row, "overlaps the bin before it");
+  }
+
   void need(bool holds, const std::string& row, const std::string& rule) const {
     if (!holds) throw Error(file_ + ": " + row + ": " + rule);
   }
