@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench table1 knowledge asan clean
+.PHONY: demo test build bench table1 relabel knowledge asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -21,6 +21,10 @@ build:
 # Table 1 of the paper on simulated rooms: reference mode and default, before and after constraints.
 table1: bench
 	build/bench/bin/table1
+
+# Time of `scenelore label` after one changed row, on nine simulated rooms.
+relabel: bench
+	build/bench/bin/relabel
 
 # Learns the default priors again from simulated rooms (schemas/knowledge/office_learned.sql).
 knowledge: bench
