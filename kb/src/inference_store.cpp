@@ -3,7 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "fact_store.hpp"
 #include "implementation.hpp"
+#include "update_in_place.hpp"
 
 namespace scenelore::kb {
 
@@ -33,23 +35,6 @@ std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int6
   return database.last_id();
 }
 
-// Evidence and facts are most of the rows, and a run after a changed row of knowledge finds mostly the same ones again.
-// Where just the numbers differ they are updated in place, which touches no index; `matches` says whether a stored row is
-// the i-th wanted one, `value` what its number should be. False: rows differ, all have to be written anew.
-template <typename Matches, typename Value>
-bool update_in_place(Statement& select, Statement& update, ScanId scan, std::size_t wanted, Matches matches, Value value) {
-  std::vector<std::pair<std::int64_t, double>> changed;  // id, number
-  std::size_t i = 0;
-  auto row = select.use();
-  for (row(scan); row.next(); ++i) {
-    if (i >= wanted || !matches(row, i)) return false;
-    if (row.real(1) != value(i)) changed.emplace_back(row.integer(0), value(i));
-  }
-  if (i != wanted) return false;
-  for (const auto& [id, number] : changed) update.use()(number)(id).run();
-  return true;
-}
-
 void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
   const std::size_t classes = inference.classes.size();
   Statement select = database.prepare(
@@ -66,18 +51,6 @@ void replace_evidence(Database& database, ScanId scan, const Inference& inferenc
   for (std::size_t i = 0; i < wanted; ++i) {
     insert.use()(inference.planes[i / classes])(inference.classes[i % classes])(value(i)).run();
   }
-}
-
-void replace_facts(Database& database, ScanId scan, const std::vector<RelationFact>& facts) {
-  Statement select = database.prepare("SELECT id, degree, a, b, relation FROM relation_fact WHERE scan_id = ? ORDER BY id");
-  Statement update = database.prepare("UPDATE relation_fact SET degree = ? WHERE id = ?");
-  const auto matches = [&](const Statement::Use& row, std::size_t i) {
-    return row.integer(2) == facts[i].a && row.integer(3) == facts[i].b && row.text(4) == facts[i].relation;
-  };
-  if (update_in_place(select, update, scan, facts.size(), matches, [&](std::size_t i) { return facts[i].degree; })) return;
-  database.prepare("DELETE FROM relation_fact WHERE scan_id = ?").use()(scan).run();
-  Statement insert = database.prepare("INSERT INTO relation_fact (scan_id, relation, a, b, degree) VALUES (?, ?, ?, ?, ?)");
-  for (const RelationFact& fact : facts) insert.use()(scan)(fact.relation)(fact.a)(fact.b)(fact.degree).run();
 }
 
 void insert_labels(Database& database, std::int64_t run, const Inference& inference) {
@@ -105,7 +78,7 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   delete_run(database, scan);
   const std::int64_t run = insert_run(database, scan, previous, inference.run);
   replace_evidence(database, scan, inference);
-  replace_facts(database, scan, inference.facts);
+  replace_facts(database, scan, inference);
   insert_labels(database, run, inference);
   transaction.commit();
   return run;

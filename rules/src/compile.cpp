@@ -91,6 +91,7 @@ class Compiler {
   double hold_;
   int fallback_;
   std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
+  std::vector<Box3> boxes_;         // of the planes, made when a row needs them
   std::map<std::tuple<int, int, int, int>, int> tables_;
 };
 
@@ -209,7 +210,8 @@ void Compiler::add_pairs(int index, int subject, int other) {
   const bool every = row.quantifier == Quantifier::every;
   if (every && !row.relation) return;
   const bool both = subject == other;
-  const auto degree = [&](int a, int b) { return row.relation ? index_.degree(*row.relation, a, b) : 1.0; };
+  const FactIndex::Relation facts = row.relation ? index_.relation(*row.relation) : FactIndex::Relation{};
+  const auto degree = [&](int a, int b) { return row.relation ? facts.degree(a, b) : 1.0; };
   const auto take = [&](int a, int b) {
     if (both && b < a && (every || degree(b, a) > 0)) return;  // came from the other side
     if (label(a, subject) < 0) return;
@@ -224,9 +226,8 @@ void Compiler::add_pairs(int index, int subject, int other) {
   }
   const auto found = facts_.reach.find(*row.relation);
   const Reach reach = found == facts_.reach.end() ? Reach{} : found->second;
-  std::vector<Box3> boxes;
-  for (const perception::Plane& plane : scene_.planes) boxes.push_back(PlaneShape(plane).box);
-  for (const auto& [a, b] : pairs_in_reach(boxes, reach.within, reach.within_plan)) {
+  if (boxes_.empty()) boxes_ = boxes_of(scene_.planes);
+  for (const auto& [a, b] : pairs_in_reach(boxes_, reach.within, reach.within_plan)) {
     take(a, b);
     take(b, a);
   }
@@ -303,8 +304,8 @@ double hold_degree(const kb::Knowledge& knowledge) {
 }
 
 std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const RuleSet& rules) {
-  std::vector<std::string> known, used;
-  for (const RelationInfo& relation : rules.relations()) known.push_back(relation.name);
+  const std::vector<std::string> known = rules.relation_names();
+  std::vector<std::string> used;
   for (const kb::ClassConstraint& row : knowledge.constraints) {
     if (!row.enabled || !row.relation) continue;
     if (!std::binary_search(known.begin(), known.end(), *row.relation)) {

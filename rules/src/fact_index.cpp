@@ -37,15 +37,20 @@ FactIndex::FactIndex(const Scene& scene, const Facts& facts) : planes_(scene.pla
   }
 }
 
-const std::vector<FactIndex::Held>& FactIndex::held(const std::string& relation, int a) const {
-  const auto found = by_relation_.find(relation);
-  return found == by_relation_.end() ? nothing_ : found->second[static_cast<std::size_t>(a)];
+FactIndex::Relation FactIndex::relation(const std::string& name) const {
+  Relation out;
+  const auto found = by_relation_.find(name);
+  if (found != by_relation_.end()) out.by_plane_ = &found->second;
+  return out;
 }
 
-double FactIndex::degree(const std::string& relation, int a, int b) const {
-  const std::vector<Held>& list = held(relation, a);
+double FactIndex::Relation::degree(int a, int b) const {
+  const std::vector<Held>& list = held(a);
   const auto found = std::lower_bound(list.begin(), list.end(), b, [](const Held& h, int plane) { return h.b < plane; });
   return found != list.end() && found->b == b ? found->degree : 0;
 }
+
+const std::vector<FactIndex::Held>& FactIndex::held(const std::string& name, int a) const { return relation(name).held(a); }
+double FactIndex::degree(const std::string& name, int a, int b) const { return relation(name).degree(a, b); }
 
 }  // namespace scenelore::rules

@@ -21,6 +21,24 @@ class FactIndex {
   /// Throws Error for a fact about a plane that the scene lacks, or with a degree outside (0, 1].
   FactIndex(const Scene& scene, const Facts& facts);
 
+  /// All facts of one relation, for those who ask about many pairs.
+  class Relation {
+   public:
+    /// What stands in the relation to plane `a`, by rising b.
+    [[nodiscard]] const std::vector<Held>& held(int a) const {
+      static const std::vector<Held> nothing;
+      return by_plane_ == nullptr ? nothing : (*by_plane_)[static_cast<std::size_t>(a)];
+    }
+    /// 0 where there is no fact.
+    [[nodiscard]] double degree(int a, int b) const;
+
+   private:
+    friend class FactIndex;
+    const std::vector<std::vector<Held>>* by_plane_ = nullptr;
+  };
+  /// A relation without facts is empty.
+  [[nodiscard]] Relation relation(const std::string& name) const;
+
   /// What stands in the relation to plane `a`, by rising b. A relation without facts gives nothing.
   [[nodiscard]] const std::vector<Held>& held(const std::string& relation, int a) const;
   /// 0 where there is no fact.
@@ -29,7 +47,6 @@ class FactIndex {
  private:
   std::size_t planes_;
   std::map<std::string, std::vector<std::vector<Held>>> by_relation_;
-  std::vector<Held> nothing_;
 };
 
 }  // namespace scenelore::rules

@@ -172,6 +172,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   out.planes = scene.ids;
   out.evidence = evidence;
   out.facts = facts.facts;
+  out.asked = facts.asked;
   if (solution.assignment.empty() || scene.planes.empty()) return out;
 
   const FactIndex index(scene, facts);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "lua_files.hpp"
 #include "scenelore/rules/error.hpp"
 
 namespace scenelore::rules {
@@ -144,12 +145,35 @@ void LuaState::call(int arguments, int results) {
 
 void LuaState::load(std::string_view text, const std::string& shown) {
   if (text.size() > kLongestText) throw Error(shown + ": longer than 1 MB; a rule file is a text of some lines");
+  if (text.starts_with(LUA_SIGNATURE[0])) throw Error(shown + ": is compiled Lua; only text is loaded");
+  load_as(text, shown, "t");
+}
+
+void LuaState::load_prelude() {
+  static const std::string compiled = [] {
+    LuaState state({});
+    state.load(embedded("rules/lua/prelude.lua"), kPrelude);
+    std::string code;
+    const lua_Writer append = [](lua_State*, const void* bytes, std::size_t size, void* out) {
+      try {
+        static_cast<std::string*>(out)->append(static_cast<const char*>(bytes), size);
+        return 0;
+      } catch (...) {
+        return 1;
+      }
+    };
+    if (lua_dump(state.get(), append, &code, 0) != 0) throw Error("there is no memory for the prelude");
+    return code;
+  }();
+  load_as(compiled, kPrelude, "b");
+}
+
+void LuaState::load_as(std::string_view text, const std::string& shown, const char* mode) {
   // Lua shortens long names in messages, so it is given the last part and the message gets the whole one back.
   shown_ = shown;
   chunk_ = shown.substr(shown.find_last_of('/') + 1);
   if (chunk_.size() > 50) chunk_ = chunk_.substr(chunk_.size() - 50);
-  if (text.starts_with(LUA_SIGNATURE[0])) throw Error(shown + ": is compiled Lua; only text is loaded");
-  const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + chunk_).c_str(), "t");
+  const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + chunk_).c_str(), mode);
   if (status == LUA_OK) return;
   std::string message = status == LUA_ERRMEM ? chunk_ + ": too large for the memory limit" : lua_tostring(lua_, -1);
   lua_pop(lua_, 1);

@@ -33,6 +33,9 @@ class LuaState {
   /// Pushes the function that a text compiles to. `shown` is the name in messages. Throws Error: syntax error, bytecode.
   void load(std::string_view text, const std::string& shown);
 
+  /// Pushes the prelude, which is compiled once a process: every rule file's state runs it.
+  void load_prelude();
+
   /// Name under which the file loaded last stands in messages before its full name replaces it.
   [[nodiscard]] const std::string& chunk() const { return chunk_; }
 
@@ -54,6 +57,7 @@ class LuaState {
   static void count_hook(lua_State* state, lua_Debug* activation);
   static int describe_error(lua_State* state);
   void start_counting();
+  void load_as(std::string_view text, const std::string& shown, const char* mode);
   [[nodiscard]] std::string with_path(std::string message) const;
 
   Budget budget_;

@@ -8,12 +8,19 @@
 
 namespace scenelore::rules {
 
-PairGeometry::PairGeometry(const std::vector<perception::Plane>& planes) {
-  shapes_.reserve(planes.size());
-  for (const perception::Plane& plane : planes) shapes_.emplace_back(plane);
+const PlaneShape& PairGeometry::shape(int i) const {
+  if (shapes_.size() < planes_->size()) shapes_.resize(planes_->size());
+  std::unique_ptr<PlaneShape>& shape = shapes_[static_cast<std::size_t>(i)];
+  if (!shape) shape = std::make_unique<PlaneShape>((*planes_)[static_cast<std::size_t>(i)]);
+  return *shape;
 }
 
-void PairGeometry::add(const perception::Plane& plane) { shapes_.emplace_back(plane); }
+std::vector<Box3> boxes_of(const std::vector<perception::Plane>& planes) {
+  std::vector<Box3> boxes;
+  boxes.reserve(planes.size());
+  for (const perception::Plane& plane : planes) boxes.push_back(box_of(plane));
+  return boxes;
+}
 
 std::size_t PairGeometry::Hash::operator()(const Key& key) const {
   std::uint64_t h = (static_cast<std::uint64_t>(key.a) << 32) ^ static_cast<std::uint64_t>(key.b);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace scenelore::rules {
 /// Indices are those of the planes given. Not safe for concurrent use, since answers are cached.
 class PairGeometry {
  public:
-  explicit PairGeometry(const std::vector<perception::Plane>& planes);
-  void add(const perception::Plane& plane);
+  /// The planes must live as long as they are asked about; a shape is prepared when it is first needed.
+  explicit PairGeometry(const std::vector<perception::Plane>& planes) : planes_(&planes) {}
 
-  [[nodiscard]] int size() const { return static_cast<int>(shapes_.size()); }
-  [[nodiscard]] const PlaneShape& shape(int i) const { return shapes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] int size() const { return static_cast<int>(planes_->size()); }
+  [[nodiscard]] const PlaneShape& shape(int i) const;
 
   /// Degrees between the two planes, 0 (parallel) to 90; the side a normal points to does not matter.
   [[nodiscard]] double angle(int a, int b) const;
@@ -42,9 +43,13 @@ class PairGeometry {
   struct Hash {
     std::size_t operator()(const Key& key) const;
   };
-  std::vector<PlaneShape> shapes_;
+  const std::vector<perception::Plane>* planes_;
+  mutable std::vector<std::unique_ptr<PlaneShape>> shapes_;
   std::unordered_map<Key, double, Hash> known_;  // looked up only, never iterated
 };
+
+/// Boxes around the planes' outlines.
+[[nodiscard]] std::vector<Box3> boxes_of(const std::vector<perception::Plane>& planes);
 
 /// Pairs (i < j, rising) whose boxes are at most `within` metres apart, and at most `within_plan` seen from above;
 /// infinite = no limit. Sweeps along x, so that far ones are never looked at.

@@ -108,6 +108,16 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
   for (const perception::Ring& hole : plane.hull.holes) footprint.add_ring(seen_from_above(hole));
 }
 
+Box3 box_of(const perception::Plane& plane) {
+  Box3 box;
+  if (plane.hull.outer.empty()) return box.extend(plane.centroid);
+  for (const Vector3d& corner : plane.hull.outer) box.extend(corner);
+  for (const perception::Ring& hole : plane.hull.holes) {
+    for (const Vector3d& corner : hole) box.extend(corner);
+  }
+  return box;
+}
+
 bool PlaneShape::covers(const Eigen::Vector3d& point) const {
   return in_plane.contains({u.dot(point - centroid), v.dot(point - centroid)});
 }

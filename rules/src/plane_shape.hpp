@@ -43,6 +43,9 @@ struct PlaneShape {
   [[nodiscard]] bool covers(const Eigen::Vector3d& point) const;
 };
 
+/// Of the outline with its holes; of the centroid where there is none.
+[[nodiscard]] Box3 box_of(const perception::Plane& plane);
+
 /// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact.
 [[nodiscard]] double hull_gap(const PlaneShape& a, const PlaneShape& b);
 

@@ -75,16 +75,19 @@ void Reasoner::add(int plane, const char* kind, double amount, std::string sente
 }
 
 Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(best), by_plane_(about.scene.planes.size()) {
-  std::vector<std::pair<std::size_t, std::size_t>> mine, theirs;
+  std::vector<std::pair<std::size_t, std::size_t>> entries;  // the plane's own class, then its rival
   for (int plane = 0; plane < about.planes(); ++plane) {
     const int own = best.class_of(plane), rival = best_class(about.evidence[at(plane)], own);
     rivals_.push_back(rival);
-    mine.emplace_back(at(plane), at(own));
-    theirs.emplace_back(at(plane), at(std::max(rival, 0)));
+    entries.emplace_back(at(plane), at(own));
+    entries.emplace_back(at(plane), at(std::max(rival, 0)));
   }
   if (about.scene.features.values.size() != about.scene.planes.size()) return;
-  mine_ = kb::contributions(about.knowledge, about.scene.features, mine);
-  theirs_ = kb::contributions(about.knowledge, about.scene.features, theirs);
+  std::vector<std::vector<kb::Contribution>> terms = kb::contributions(about.knowledge, about.scene.features, entries);
+  for (std::size_t i = 0; i + 1 < terms.size(); i += 2) {
+    mine_.push_back(std::move(terms[i]));
+    theirs_.push_back(std::move(terms[i + 1]));
+  }
 }
 
 /// The features that tell the class from its strongest rival, by what they add.

@@ -152,7 +152,7 @@ void open_sandbox(RuleHost& host) {
   lua_State* state = host.lua.get();
   lua_pushcfunction(state, open_libraries);
   host.lua.call(0, 0);
-  host.lua.load(embedded("rules/lua/prelude.lua"), LuaState::kPrelude);
+  host.lua.load_prelude();
   lua_createtable(state, 0, 5);
   push_geometry(host);
   lua_setfield(state, -2, "geometry");

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "fact_inputs.hpp"
 #include "lua_files.hpp"
 #include "rule_file.hpp"
 #include "rule_sources.hpp"
@@ -44,31 +45,59 @@ std::map<std::string, Overrides> overrides_in(const std::map<std::string, std::s
 
 }  // namespace
 
+/// A rule that runs in a state of its own, made when it is first asked; a user's file is run at once, to see whether it
+/// is in order.
 struct RuleSet::Implementation {
-  Budget budget;
-  std::map<std::string, std::unique_ptr<RuleFile>> relations, features;  // by name
+  struct Entry {
+    RuleSource source;
+    std::unique_ptr<RuleFile> file;  // nullptr: a built-in one that was not needed yet
+  };
+  using Entries = std::map<std::string, Entry>;  // by name
 
-  void add(RuleSource source, const std::map<std::string, Overrides>& overrides) {
-    auto file = std::make_unique<RuleFile>(std::move(source), budget, overrides);
-    auto& files = file->kind() == RuleFile::Kind::relation ? relations : features;
-    const auto before = files.find(file->name());
-    if (before != files.end() && !is_built_in(before->second->source())) {
-      throw Error(file->source().shown + ": the name '" + file->name() + "' is taken by " +
-                  before->second->source().shown);
+  Budget budget;
+  std::map<std::string, Overrides> overrides;  // by relation
+  Entries relations, features;
+
+  [[nodiscard]] RuleFile& file(Entry& entry) {
+    if (!entry.file) entry.file = std::make_unique<RuleFile>(entry.source, budget, overrides);
+    return *entry.file;
+  }
+
+  /// Built-in files are named after what they define (a test sees to it).
+  void add_built_in(RuleSource source) {
+    const std::size_t slash = source.shown.find_last_of('/');
+    const std::string name = source.shown.substr(slash + 1, source.shown.size() - slash - 5);
+    auto& entries = source.shown.starts_with("rules/relations/") ? relations : features;
+    entries[name] = {std::move(source), nullptr};
+  }
+
+  void add(RuleSource source) {
+    auto file = std::make_unique<RuleFile>(source, budget, overrides);
+    Entries& entries = file->kind() == RuleFile::Kind::relation ? relations : features;
+    const auto before = entries.find(file->name());
+    if (before != entries.end() && !is_built_in(before->second.source)) {
+      throw Error(source.shown + ": the name '" + file->name() + "' is taken by " + before->second.source.shown);
     }
-    files[file->name()] = std::move(file);
+    const std::string name = file->name();
+    entries[name] = {std::move(source), std::move(file)};
   }
 
   [[nodiscard]] std::vector<std::string> relation_names() const {
     std::vector<std::string> names;
-    for (const auto& [name, file] : relations) names.push_back(name);
+    for (const auto& [name, entry] : relations) names.push_back(name);
     return names;
   }
 
-  [[nodiscard]] RuleFile& relation(const std::string& name) const {
+  [[nodiscard]] Entry& relation_entry(const std::string& name) {
     const auto found = relations.find(name);
-    if (found != relations.end()) return *found->second;
+    if (found != relations.end()) return found->second;
     throw Error("there is no relation '" + name + "'" + did_you_mean(name, relation_names()));
+  }
+  [[nodiscard]] RuleFile& relation(const std::string& name) { return file(relation_entry(name)); }
+
+  [[nodiscard]] std::string inputs(const std::string& name, const std::string& planes) {
+    const auto found = overrides.find(name);
+    return fact_inputs(relation_entry(name).source, found == overrides.end() ? Overrides{} : found->second, planes);
   }
 
   void check_total(const RuleFile& file, Clock::time_point start, std::int64_t asked) const {
@@ -113,28 +142,32 @@ RuleSet RuleSet::load(const std::vector<std::filesystem::path>& directories, Bud
                       const std::map<std::string, std::string>& settings) {
   auto rules = std::make_unique<Implementation>();
   rules->budget = budget;
-  const std::map<std::string, Overrides> overrides = overrides_in(settings);
-  for (RuleSource& source : built_in_sources()) rules->add(std::move(source), overrides);
+  rules->overrides = overrides_in(settings);
+  for (RuleSource& source : built_in_sources()) rules->add_built_in(std::move(source));
   for (const std::filesystem::path& directory : directories) {
-    for (RuleSource& source : sources_below(directory)) rules->add(std::move(source), overrides);
+    for (RuleSource& source : sources_below(directory)) rules->add(std::move(source));
   }
-  for (const auto& [relation, values] : overrides) {
-    if (rules->relations.contains(relation)) continue;
-    throw Error("setting '" + relation + "." + values.begin()->first + "': there is no relation '" + relation + "'" +
-                did_you_mean(relation, rules->relation_names()));
+  for (const auto& [relation, values] : rules->overrides) {
+    if (!rules->relations.contains(relation)) {
+      throw Error("setting '" + relation + "." + values.begin()->first + "': there is no relation '" + relation + "'" +
+                  did_you_mean(relation, rules->relation_names()));
+    }
+    (void)rules->relation(relation);  // refuses a tolerance that it lacks
   }
   return RuleSet(std::move(rules));
 }
 
+std::vector<std::string> RuleSet::relation_names() const { return implementation_->relation_names(); }
+
 std::vector<RelationInfo> RuleSet::relations() const {
   std::vector<RelationInfo> out;
-  for (const auto& [name, file] : implementation_->relations) out.push_back(file->relation());
+  for (auto& [name, entry] : implementation_->relations) out.push_back(implementation_->file(entry).relation());
   return out;
 }
 
 std::vector<kb::Feature> RuleSet::features() const {
   std::vector<kb::Feature> out;
-  for (const auto& [name, file] : implementation_->features) out.push_back(file->feature());
+  for (auto& [name, entry] : implementation_->features) out.push_back(implementation_->file(entry).feature());
   return out;
 }
 
@@ -145,12 +178,14 @@ std::string RuleSet::hash() const {
     hash.add(text);
   };
   add(embedded("rules/lua/prelude.lua"));
-  for (const auto* files : {&implementation_->relations, &implementation_->features}) {
-    for (const auto& [name, file] : *files) {
+  for (const auto* entries : {&implementation_->relations, &implementation_->features}) {
+    for (const auto& [name, entry] : *entries) {
       add(name);
-      add(file->source().text);
-      for (const auto& [field, value] : file->relation().tolerances) add(field + "=" + std::to_string(value));
+      add(entry.source.text);
     }
+  }
+  for (const auto& [relation, values] : implementation_->overrides) {
+    for (const auto& [field, value] : values) add(relation + "." + field + "=" + std::to_string(value));
   }
   return hash.hex();
 }
@@ -158,7 +193,8 @@ std::string RuleSet::hash() const {
 void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table) {
   PairGeometry geometry(scene.planes);
   table.values.resize(scene.planes.size(), std::vector<double>(table.names.size()));
-  for (auto& [name, file] : implementation_->features) {
+  for (auto& [name, entry] : implementation_->features) {
+    RuleFile* const file = &implementation_->file(entry);
     if (std::find(table.names.begin(), table.names.end(), name) != table.names.end()) {
       throw Error(file->source().shown + ": the feature '" + name + "' exists already; choose another name");
     }
@@ -173,18 +209,29 @@ void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table) {
   }
 }
 
-Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations) {
+Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations,
+                      const std::map<std::string, kb::StoredFacts>& known) {
   Facts out;
   PairGeometry geometry(scene.planes);
   std::vector<Box3> boxes;
-  for (int i = 0; i < geometry.size(); ++i) boxes.push_back(geometry.shape(i).box);
+  const std::string planes = digest(scene);
   for (const std::string& name : std::set<std::string>(relations.begin(), relations.end())) {
-    RuleFile& file = implementation_->relation(name);
-    const std::size_t first = out.facts.size();
-    out.counts.push_back(implementation_->ask(file, scene, geometry, boxes, out.facts));
-    out.reach[name] = {file.relation().within, file.relation().within_plan};
-    std::sort(out.facts.begin() + static_cast<std::ptrdiff_t>(first), out.facts.end(),
-              [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
+    const std::string inputs = implementation_->inputs(name, planes);
+    const auto found = known.find(name);
+    kb::RelationAsked& asked = out.asked[name];
+    if (found != known.end() && found->second.asked.inputs_sha256 == inputs) {
+      out.facts.insert(out.facts.end(), found->second.facts.begin(), found->second.facts.end());
+      asked = found->second.asked;
+    } else {
+      if (boxes.empty()) boxes = boxes_of(scene.planes);
+      RuleFile& file = implementation_->relation(name);
+      const std::size_t first = out.facts.size();
+      out.counts.push_back(implementation_->ask(file, scene, geometry, boxes, out.facts));
+      asked = {out.counts.back().asked, out.counts.back().held, file.relation().within, file.relation().within_plan, inputs, {}};
+      std::sort(out.facts.begin() + static_cast<std::ptrdiff_t>(first), out.facts.end(),
+                [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
+    }
+    out.reach[name] = {asked.within, asked.within_plan};
   }
   return out;
 }

@@ -14,7 +14,7 @@ namespace {
 /// The rule under test in its own state, with planes that the test file makes up as it goes.
 class TestBench {
  public:
-  TestBench(RuleSource rule, const Budget& budget) : file_(std::move(rule), budget), geometry_(std::vector<perception::Plane>{}) {
+  TestBench(RuleSource rule, const Budget& budget) : file_(std::move(rule), budget), geometry_(scene_.planes) {
     file_.look_at(&scene_, &geometry_);
   }
 
@@ -50,7 +50,6 @@ int TestBench::make(lua_State* state) {
                   .along = {v[6], v[7], v[8]}});
   bench.scene_.ids.push_back(static_cast<kb::PlaneId>(bench.scene_.ids.size()) + 1);
   bench.scene_.planes.push_back(plane);
-  bench.geometry_.add(plane);
   push_plane(bench.file_.host(), bench.geometry_.size() - 1);
   return 1;
 }

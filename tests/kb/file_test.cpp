@@ -85,7 +85,7 @@ TEST(KnowledgeFile, OfVersionOneIsMigratedWithAllItsRows) {
   Database(path, OpenMode::create).execute(test::read_file(fs::path(SCENELORE_SOURCE_DIR) / "tests/kb/data/version_1.sql"));
   EXPECT_THAT(refused(path, Access::read_only), HasSubstr("older schema version 1"));
   const KnowledgeBase base = KnowledgeBase::open(path);
-  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("2|1"));
+  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("3|1"));
   EXPECT_EQ(base.knowledge().classes.size(), 3U);
   EXPECT_EQ(base.planes(1).size(), 2U);
   EXPECT_THAT(base.truth(1), ElementsAre(std::pair<PlaneId, std::string>(1, "table")));
@@ -199,6 +199,22 @@ TEST(KnowledgeFile, HasFootprintsThatAreValidPolygons) {
       test::run({"ogrinfo", path.string(), "-dialect", "SQLite", "-sql",
                  "SELECT sum(ST_IsValid(geom)) AS valid, count(*) AS n, sum(ST_Area(geom)) AS area FROM labelled_plane_plan"}, folder);
   EXPECT_THAT(finished.out, AllOf(HasSubstr("valid (Integer) = 4"), HasSubstr("n (Integer) = 4"), HasSubstr("area (Real) = 13.305")));
+}
+
+TEST(KnowledgeFile, TakesALabelEditedInAGisAsTruth) {
+  const TemporaryFolder folder;
+  if (!has_program("ogrinfo", folder)) GTEST_SKIP() << "ogrinfo (package gdal-bin) is not installed";
+  const fs::path path = labelled_room(folder);
+  const auto edit = [&](const std::string& layer, const std::string& name, const std::string& plane) {
+    const test::Finished finished =
+        test::run({"ogrinfo", path.string(), "-sql", "UPDATE " + layer + " SET class = '" + name + "' WHERE id = " + plane}, folder);
+    EXPECT_EQ(finished.code, 0);
+    EXPECT_THAT(finished.err, Not(HasSubstr("ERROR")));
+  };
+  edit("labelled_plane_3d", "cabinet", "3");
+  edit("labelled_plane_plan", "door", "2");
+  EXPECT_THAT(ask(KnowledgeBase::open(path, Access::read_only), "SELECT plane_id, class FROM truth ORDER BY 1"),
+              ElementsAre("2|door", "3|cabinet"));
 }
 
 TEST(KnowledgeFile, PassesSqlitesOwnChecks) {

@@ -7,6 +7,7 @@
 
 #include "rooms.hpp"
 #include "scenelore/kb/error.hpp"
+#include "sqlite.hpp"
 
 namespace scenelore::kb {
 namespace {
@@ -116,6 +117,50 @@ TEST(KnowledgeBase, StoresTheInferenceAndReplacesItAsAWhole) {
   EXPECT_TRUE(base.labels(scan).empty());
   EXPECT_THAT(ask(base, "SELECT (SELECT count(*) FROM reason) + (SELECT count(*) FROM alternative) + (SELECT count(*) FROM relation_fact)"),
               ElementsAre("0"));
+}
+
+TEST(KnowledgeBase, HandsOutFactsUntilSomebodyChangesThem) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const testing::Room room = testing::room();
+  const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  Inference inference = testing::inference(base.planes(scan));
+  inference.facts = {{"above", 4, 3, 0.75}, {"near", 1, 2, 0.5}, {"near", 3, 4, 1.0 / 3}};
+  inference.asked = {{"above", {.asked = 12, .held = 1, .within_plan = 0.3, .inputs_sha256 = "x"}},
+                     {"near", {.asked = 12, .held = 2, .inputs_sha256 = "y"}},
+                     {"never", {.asked = 12, .inputs_sha256 = "z"}}};
+  base.store_inference(scan, inference);
+  const auto facts = base.facts(scan);
+  ASSERT_EQ(facts.size(), 3U);
+  EXPECT_EQ(facts.at("above").asked.within_plan, 0.3);
+  EXPECT_EQ(facts.at("above").asked.within, std::numeric_limits<double>::infinity());
+  ASSERT_EQ(facts.at("near").facts.size(), 2U);
+  EXPECT_EQ(facts.at("near").facts[1].degree, 1.0 / 3);
+  EXPECT_EQ(facts.at("near").asked.inputs_sha256, "y");
+  EXPECT_TRUE(facts.at("never").facts.empty());
+
+  // Taken over as they are, the rows stay; a relation that is asked anew gets new ones.
+  const auto ids = ask(base, "SELECT id FROM relation_fact WHERE relation = 'near'");
+  for (const auto& [relation, stored] : facts) inference.asked[relation] = stored.asked;
+  inference.asked["above"] = {.asked = 12, .held = 1, .inputs_sha256 = "other"};
+  inference.facts[0].degree = 0.25;
+  base.store_inference(scan, inference);
+  EXPECT_EQ(ask(base, "SELECT id FROM relation_fact WHERE relation = 'near'"), ids);
+  EXPECT_THAT(ask(base, "SELECT degree FROM relation_fact WHERE relation = 'above'"), ElementsAre("0.25"));
+
+  Database(folder / "office.gpkg", OpenMode::read_write).execute("UPDATE relation_fact SET degree = 0.9 WHERE a = 1");
+  EXPECT_FALSE(base.facts(scan).contains("near"));
+  EXPECT_TRUE(base.facts(scan).contains("above"));
+}
+
+TEST(KnowledgeBase, SeesAtOnceWhatAnotherConnectionChanged) {
+  const TemporaryFolder folder;
+  const KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const std::string hash = base.knowledge_hash();
+  EXPECT_EQ(base.knowledge_hash(), hash);
+  Database(folder / "office.gpkg", OpenMode::read_write).execute("UPDATE object_class SET prior = 0.5 WHERE name = 'table'");
+  EXPECT_EQ(base.knowledge().classes[static_cast<std::size_t>(base.knowledge().class_index("table"))].prior, 0.5);
+  EXPECT_NE(base.knowledge_hash(), hash);
 }
 
 }  // namespace

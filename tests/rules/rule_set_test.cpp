@@ -163,6 +163,53 @@ TEST(Relate, FindsWhatAskingEveryPairWithinReachFinds) {
   }
 }
 
+TEST(RuleSet, NamesEachBuiltInFileAfterWhatItDefines) {
+  const RuleSet rules = RuleSet::load();
+  for (const RelationInfo& relation : rules.relations()) EXPECT_EQ(relation.file, "rules/relations/" + relation.name + ".lua");
+  EXPECT_EQ(rules.relation_names().size(), rules.relations().size());
+  std::vector<std::string> names;
+  for (const kb::Feature& feature : rules.features()) names.push_back(feature.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"aspect", "fill", "rise"}));
+}
+
+std::map<std::string, kb::StoredFacts> stored(const Facts& facts) {
+  std::map<std::string, kb::StoredFacts> out;
+  for (const auto& [relation, asked] : facts.asked) out[relation].asked = asked;
+  for (const kb::RelationFact& fact : facts.facts) out[fact.relation].facts.push_back(fact);
+  return out;
+}
+
+std::vector<std::string> asked(const Facts& facts) {
+  std::vector<std::string> names;
+  for (const RelationCount& count : facts.counts) names.push_back(count.relation);
+  return names;
+}
+
+TEST(Relate, AsksAgainOnlyWhatHasChanged) {
+  using Names = std::vector<std::string>;
+  Scene scene = building(1);
+  const Names names{"above", "near", "touching"};
+  const Facts first = RuleSet::load().relate(scene, names);
+  EXPECT_EQ(asked(first), names);
+  const auto known = stored(first);
+  const Facts again = RuleSet::load().relate(scene, names, known);
+  EXPECT_EQ(asked(again), Names{});
+  ASSERT_EQ(again.facts.size(), first.facts.size());
+  for (std::size_t i = 0; i < first.facts.size(); ++i) {
+    EXPECT_EQ(again.facts[i].relation, first.facts[i].relation);
+    EXPECT_EQ(std::tie(again.facts[i].a, again.facts[i].b, again.facts[i].degree),
+              std::tie(first.facts[i].a, first.facts[i].b, first.facts[i].degree));
+  }
+  EXPECT_EQ(again.reach.at("above").within_plan, first.reach.at("above").within_plan);
+  // A tolerance, a rule, a plane.
+  EXPECT_EQ(asked(RuleSet::load({}, {}, {{"near.full", "0.2"}}).relate(scene, names, known)), Names{"near"});
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "touching.lua", "return relation { name = 'touching', extends = 'touching' }");
+  EXPECT_EQ(asked(RuleSet::load({folder.path()}).relate(scene, names, known)), Names{"touching"});
+  scene.planes[3].hull.outer[0].x() += 0.001;
+  EXPECT_EQ(asked(RuleSet::load().relate(scene, names, known)), names);
+}
+
 TEST(Relate, SortsFactsAndGivesTheSameTwice) {
   RuleSet rules = RuleSet::load();
   const Scene scene = building(2);

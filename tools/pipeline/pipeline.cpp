@@ -41,7 +41,7 @@ Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Rul
   situation.scene = rules::make_scene(scan, planes, kb::built_in_features(scan, planes));
   rules.compute_features(situation.scene, situation.scene.features);
   situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
-  situation.facts = rules.relate(situation.scene, rules::used_relations(situation.knowledge, rules));
+  situation.facts = rules.relate(situation.scene, rules::used_relations(situation.knowledge, rules), base.facts(scan.id));
   situation.truth = base.truth(scan.id);
   return situation;
 }

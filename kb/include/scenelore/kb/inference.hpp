@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,15 @@ struct RelationFact {
   std::string relation;
   PlaneId a = 0, b = 0;
   double degree = 1;  ///< in (0, 1]
+};
+
+/// How the facts of one relation about one scan were found.
+struct RelationAsked {
+  std::int64_t asked = 0, held = 0;  ///< ordered pairs of planes
+  double within = std::numeric_limits<double>::infinity();       ///< metres between boxes: pairs further apart are not asked
+  double within_plan = std::numeric_limits<double>::infinity();  ///< the same seen from above
+  std::string inputs_sha256;         ///< names all that the facts depend on: the same again gives the same facts
+  std::string facts_sha256;          ///< of the rows, when the facts come from the knowledge base; else empty
 };
 
 struct Run {
@@ -49,13 +60,20 @@ struct Reason {
   std::string sentence;
 };
 
+/// Facts of one relation as the knowledge base holds them, by a and b.
+struct StoredFacts {
+  RelationAsked asked;
+  std::vector<RelationFact> facts;
+};
+
 /// Everything of one labelling of one scan.
 struct Inference {
   Run run;
   std::vector<std::string> classes;              ///< column names of `evidence`
   std::vector<PlaneId> planes;                   ///< row names of `evidence`
   std::vector<std::vector<double>> evidence;     ///< [plane][class]
-  std::vector<RelationFact> facts;
+  std::vector<RelationFact> facts;                ///< by relation
+  std::map<std::string, RelationAsked> asked;    ///< by relation
   std::vector<Label> labels;
   std::vector<Alternative> alternatives;
   std::vector<Reason> reasons;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,6 +99,8 @@ class KnowledgeBase {
   [[nodiscard]] FeatureTable features(const std::vector<PlaneId>& planes) const;
   /// Replaces everything inferred about the scan before. Returns the run's id.
   std::int64_t store_inference(ScanId scan, const Inference& inference);
+  /// By relation; only those whose rows of relation_fact are as they were written.
+  [[nodiscard]] std::map<std::string, StoredFacts> facts(ScanId scan) const;
   [[nodiscard]] std::vector<Label> labels(ScanId scan) const;
   [[nodiscard]] std::vector<Reason> reasons(PlaneId plane) const;
 

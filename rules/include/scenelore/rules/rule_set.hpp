@@ -50,6 +50,7 @@ struct Facts {
   std::vector<kb::RelationFact> facts;  ///< by relation, a, b
   std::vector<RelationCount> counts;
   std::map<std::string, Reach> reach;  ///< by relation; one without an entry reaches everywhere
+  std::map<std::string, kb::RelationAsked> asked;  ///< by relation; what the knowledge base keeps beside the facts
 };
 
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
@@ -64,14 +65,17 @@ class RuleSet {
   RuleSet& operator=(RuleSet&&) noexcept;
   ~RuleSet();
 
-  [[nodiscard]] std::vector<RelationInfo> relations() const;  ///< by name
+  [[nodiscard]] std::vector<std::string> relation_names() const;  ///< rising
+  [[nodiscard]] std::vector<RelationInfo> relations() const;      ///< by name
   [[nodiscard]] std::vector<kb::Feature> features() const;    ///< of Lua feature files; weight 1
   [[nodiscard]] std::string hash() const;                     ///< SHA-256 over names and texts
 
   /// Appends the Lua features' values to `table`; NaN where a feature does not know.
   void compute_features(const Scene& scene, kb::FeatureTable& table);
-  /// Which of the named relations hold between which planes; only pairs within reach are asked.
-  Facts relate(const Scene& scene, const std::vector<std::string>& relations);
+  /// Which of the named relations hold between which planes; only pairs within reach are asked. A relation whose rule and
+  /// planes are those of an entry of `known` is not asked at all.
+  Facts relate(const Scene& scene, const std::vector<std::string>& relations,
+               const std::map<std::string, kb::StoredFacts>& known = {});
   /// The degree of one relation between two planes by index, wherever they are; for checks and tests.
   [[nodiscard]] double degree(const std::string& relation, const Scene& scene, int a, int b) const;
 

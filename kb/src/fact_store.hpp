@@ -1,0 +1,13 @@
+// Relation facts: rows, and what they were found from.
+#pragma once
+
+#include "scenelore/kb/inference.hpp"
+#include "sqlite.hpp"
+
+namespace scenelore::kb {
+
+/// Makes the rows of relation_fact and relation_asked those of the inference; the ones of relations whose inputs are the
+/// same as before are left alone.
+void replace_facts(Database& database, ScanId scan, const Inference& inference);
+
+}  // namespace scenelore::kb
