@@ -10,6 +10,7 @@
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
+#include "part_outlines.hpp"
 #include "promises.hpp"
 #include "scale.hpp"
 #include "thin_objects.hpp"
@@ -91,6 +92,7 @@ FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& para
   const std::size_t supports = regions.planes.size();
   split_thin_objects(cloud, found.upright, found.limits, regions);
   join_level_pieces(cloud, cells, 3, found.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, regions);
+  part_outlines(cloud, regions);
   keep_promises(cloud, found.limits, threads, regions);
   return found;
 }

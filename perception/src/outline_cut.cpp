@@ -11,10 +11,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr int kDirections = 12;        // steps of 7.5 degrees
-constexpr double kClearly = 0.83;      // area of the two rectangles over that of the one
-constexpr double kSmallestPart = 0.003;  // m², of the rectangle around a part
 constexpr double kLeastShare = 0.06;   // of the cells
-constexpr double kLargest = 0.4;       // m², larger things are no longer what lies on a desk
 constexpr int kMostCuts = 4;           // along a path
 
 using Indices = std::vector<std::size_t>;
@@ -26,7 +23,7 @@ struct Extent {
 
 class Cutter {
  public:
-  Cutter(const std::vector<Eigen::Vector2d>& places, double edge) : places_(places), edge_(edge) {
+  Cutter(const std::vector<Eigen::Vector2d>& places, double edge, const OutlineCut& limits) : places_(places), edge_(edge), limits_(limits) {
     for (int k = 0; k < kDirections; ++k) {
       const double angle = k * std::numbers::pi / 2 / kDirections;
       directions_[static_cast<std::size_t>(k)] = {std::cos(angle), std::sin(angle)};
@@ -47,6 +44,7 @@ class Cutter {
 
   const std::vector<Eigen::Vector2d>& places_;
   double edge_;
+  OutlineCut limits_;
   std::array<Eigen::Vector2d, kDirections> directions_;
 };
 
@@ -75,7 +73,10 @@ double Cutter::best_cut(Indices& cells, std::size_t& at) const {
       if (along(order[i], k) < next) continue;
       next = along(order[i], k) + edge_;
       const double left = area(order, 0, i), right = area(order, i, order.size());
-      if (left + right >= best || std::min(left, right) < kSmallestPart) continue;
+      const double cell = edge_ * edge_;
+      const bool filled = static_cast<double>(i) * cell >= limits_.fill * left &&
+                          static_cast<double>(order.size() - i) * cell >= limits_.fill * right;
+      if (!filled || left + right >= best || std::min(left, right) < limits_.smallest_part) continue;
       best = left + right;
       best_order = order;
       at = i;
@@ -86,11 +87,11 @@ double Cutter::best_cut(Indices& cells, std::size_t& at) const {
 }
 
 void Cutter::cut(const Indices& cells, int depth, std::vector<Indices>& out) const {
-  const bool large = static_cast<double>(cells.size()) * edge_ * edge_ > kLargest;
+  const bool large = static_cast<double>(cells.size()) * edge_ * edge_ > limits_.largest;
   if (depth < kMostCuts && cells.size() >= 8 && !large) {
     Indices order = cells;
     std::size_t at = 0;
-    if (best_cut(order, at) < kClearly * area(order, 0, order.size())) {
+    if (best_cut(order, at) < limits_.clearly * area(order, 0, order.size())) {
       cut(Indices(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(at)), depth + 1, out);
       cut(Indices(order.begin() + static_cast<std::ptrdiff_t>(at), order.end()), depth + 1, out);
       return;
@@ -101,11 +102,11 @@ void Cutter::cut(const Indices& cells, int depth, std::vector<Indices>& out) con
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> cut_outline(const std::vector<Eigen::Vector2d>& places, double edge) {
+std::vector<std::vector<std::size_t>> cut_outline(const std::vector<Eigen::Vector2d>& places, double edge, const OutlineCut& limits) {
   std::vector<Indices> out;
   Indices all(places.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Cutter(places, edge).cut(all, 0, out);
+  Cutter(places, edge, limits).cut(all, 0, out);
   return out;
 }
 
