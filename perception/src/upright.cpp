@@ -15,6 +15,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostTilt = 35 * kDegree;     // of the file's z; a camera's own frame needs --up
 constexpr double kGate = 3 * kDegree;          // planes that agree with a direction
+constexpr double kTrusted = 0.8;               // of the best direction's support: the file's z is kept
 constexpr double kWallWeight = 0.5;            // walls bind one angle of two
 constexpr double kSmallest = 0.05;             // m², planes smaller than this say little about up
 
@@ -156,6 +157,8 @@ Upright estimate_upright(const Cloud& cloud, std::span<const PlaneFit> planes, c
       const double sum = support(planes, direction);
       if (sum > best) best = sum, estimate.up = direction;
     }
+    // Most files are levelled, and depth cameras bend walls by degrees: only clearly better evidence overrules the file.
+    if (support(planes, Eigen::Vector3d::UnitZ()) >= kTrusted * best) estimate.up = Eigen::Vector3d::UnitZ();
     estimate = refined(planes, estimate.up);
     const double tilt = std::acos(std::min(1.0, estimate.up.z()));
     result.confidence = estimate.level + estimate.walls == 0 ? 0.1 : std::min(1.0, estimate.share) * (1 - 0.5 / (estimate.level + estimate.walls));
