@@ -37,19 +37,21 @@ class CfnWriter {
   }
 
  private:
-  static std::string quoted(const std::string& text) {
-    if (text.find_first_of("\"\\") != std::string::npos) throw Error("a .cfn file cannot hold the name '" + text + "'");
-    return '"' + text + '"';
-  }
+  static std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-  /// Unnamed or equally named variables are called x0, x1, …; the same for labels, with l.
-  static std::vector<std::string> distinct(const std::vector<std::string>& names, char letter) {
+  /// toulbar2 ends a name at a space, so that only plain characters are written; unnamed or equally named variables are
+  /// called x0, x1, …; the same for labels, with l.
+  static std::vector<std::string> distinct(std::vector<std::string> names, char letter) {
+    for (std::string& name : names)
+      for (char& c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+        if (!plain) c = '_';
+      }
     if (std::set<std::string>(names.begin(), names.end()).size() == names.size() &&
         std::none_of(names.begin(), names.end(), [](const std::string& n) { return n.empty() || n[0] == '-'; }))
       return names;
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < names.size(); ++i) result.push_back(letter + std::to_string(i));
-    return result;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = letter + std::to_string(i);
+    return names;
   }
 
   void name_variables() {

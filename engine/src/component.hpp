@@ -13,10 +13,12 @@ namespace scenelore::engine {
 
 struct Reduction;
 
-/// One part of the problem: its variables in the problem's order; labels are those of the problem.
+/// One part of the problem (or of a reduced component): its variables in their order there, and those of their labels
+/// that take part.
 struct Component {
-  std::vector<int> variables;  ///< of the problem
-  Network network;             ///< at its root, propagated without an upper bound
+  std::vector<int> variables;
+  std::vector<std::vector<int>> labels;  ///< of each variable, ascending; the network counts these
+  Network network;             ///< at its root, propagated
   bool feasible = true;        ///< false: the root failed
   std::vector<int> best;       ///< an optimal assignment, once it is proved; else empty
   Cost best_cost = kTop;
@@ -33,6 +35,7 @@ struct Component {
 struct Decomposition {
   std::vector<Component> components;
   std::vector<int> component_of, index_in;  ///< by variable of the problem
+  std::vector<std::vector<int>> label_in;   ///< of each label of each variable its number in the component, −1 = none
   Cost constant = 0;                        ///< constraints that no variable can change
   int broken = -1;                          ///< a hard one of these, −1 = none
 };
@@ -48,7 +51,14 @@ class Parts {
   std::vector<int> parent_;
 };
 
-/// `use[c]`: whether constraint c takes part; empty = all.
-Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const std::vector<char>& use = {});
+/// What takes part; empty = all.
+struct Selection {
+  std::vector<char> constraints;
+  std::vector<std::vector<char>> labels;  ///< at least one of each variable
+};
+
+/// Each network is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
+Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection = {},
+                        Cost cutoff = kTop / 2);
 
 }  // namespace scenelore::engine

@@ -33,7 +33,7 @@ class ConflictFinder {
   bool satisfiable(const std::vector<int>& constraints) {
     std::vector<char> use(problem_.constraints().size() + 1, 0);
     for (const int c : constraints) use[static_cast<std::size_t>(c)] = 1;
-    Decomposition parts = decompose(problem_, scale_, Bound::paper, use);
+    Decomposition parts = decompose(problem_, scale_, Bound::paper, {.constraints = use, .labels = {}});
     if (parts.broken >= 0) return false;
     Budget budget{Limits{}};
     const Search::Report silent;

@@ -1,7 +1,10 @@
 // What a Solver keeps between calls.
 #pragma once
 
+#include <optional>
+
 #include "component.hpp"
+#include "local_search.hpp"
 #include "reduction.hpp"
 #include "scale.hpp"
 #include "scenelore/engine/solver.hpp"
@@ -28,18 +31,40 @@ std::vector<World> combine(const std::vector<World>& a, const std::vector<World>
 struct Solver::Implementation {
   Implementation(const Problem& of, SolverOptions with);
 
-  Solution solve(const Assumptions& assumptions);
+  Solution solve(const Assumptions& assumptions, Budget& budget);
   std::vector<Solution> k_best(int k);
   MinMarginals min_marginals();
   Marginals marginals(int most_worlds);
 
+  struct LiteralCosts {  ///< least cost of a world with each literal
+    std::vector<std::vector<Cost>> value;
+    std::vector<std::vector<char>> known;
+    bool exact = true;
+  };
+  /// Makes those of one component's literals known whose cost is below the limit.
+  void literal_costs(Component& component, Cost limit, Budget& budget, LiteralCosts& costs);
+
+  // --- which part of the problem is looked at ---
+  /// Makes `parts` hold all worlds cheaper than `limit`.
+  void reach(Cost limit);
+  /// The limit below which at least one world that agrees with the assumptions is found without search; kTop = none.
+  Cost upper_limit(const Assumptions& assumptions);
+  /// Cost of the best world, once it is proved.
+  Cost optimum() const;
+  /// Labels that can occur in a world cheaper than `limit` or do occur in one that is known; empty = all.
+  std::vector<std::vector<char>> labels_below(Cost limit) const;
+  void seed(Component& component) const;
+  /// Notes a world that was met.
+  void meet(const std::vector<int>& assignment, double cost);
+
+
   // --- one component ---
-  /// Least cost under the decisions; uses and fills the pool.
-  /// `limit`: dearer ones are of no interest.
+  /// Least cost under the decisions; uses and fills the pool. `limit`: dearer ones are of no interest.
   SearchResult solve(Component& component, const std::vector<Decision>& decisions, Budget& budget,
                      Cost limit = kTop / 2);
   Cost least_cost(const Component& component) const;
   SearchResult split(Component& component, Search& search, const std::vector<Decision>& decisions, Cost limit) const;
+  /// Those of the k cheapest that are below the limit.
   Worlds k_best(Component& component, int k, Budget& budget, Cost limit = kTop / 2);
 
   // --- near the optimum of one component ---
@@ -48,9 +73,11 @@ struct Solver::Implementation {
   Reduction* reduction(Component& component, Cost limit) const;
   SearchResult solve_reduced(Component& component, Reduction& reduced, const std::vector<Decision>& decisions,
                              Budget& budget, Cost limit);
-  /// Those of the k cheapest that are below the cutoff.
-  Worlds k_best_reduced(Component& component, Reduction& reduced, int k, Budget& budget);
+  /// Those of the k cheapest that are below the limit, which is no more than the reduction's.
+  Worlds k_best_reduced(Component& component, Reduction& reduced, int k, Budget& budget, Cost limit);
   Search::Report report(const Component& component) const;
+  /// Labels of the problem in `assignment` for those of a component.
+  static void translate(const Component& component, const std::vector<int>& labels, std::vector<int>& assignment);
   void remember(Component& component, const std::vector<int>& labels, Cost cost) const;
   bool feasible() const;
 
@@ -62,7 +89,11 @@ struct Solver::Implementation {
   const Problem& problem;
   SolverOptions options;
   Scale scale;
-  Decomposition parts;
+  Cost cutoff = 0;        ///< parts hold all worlds cheaper than this
+  Decomposition parts{};  ///< made when first needed, with no more labels than that asks for
+  std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
+  std::vector<int> best_world{};                                 ///< an optimal one, once it is proved
+  std::optional<LocalSearch> local_search{};
 };
 
 }  // namespace scenelore::engine

@@ -29,13 +29,9 @@ std::vector<World> combine(const std::vector<World>& a, const std::vector<World>
 /// many, the first ones by going in lexicographic order.
 Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budget, Cost limit) {
   constexpr std::size_t kMostEqual = 256;
-  constexpr double kReach = 10;  // nats; more than k worlds are cheaper, as a rule
-  if (is_forbidden(limit) && component.feasible) {
+  if (component.feasible && component.whole) {
     if (component.best.empty()) solve(component, {}, budget);
-    if (Reduction* reduced = reduction(component, component.best_cost + scale.whole(kReach))) {
-      Worlds near = k_best_reduced(component, *reduced, k, budget);
-      if (near.exact && near.worlds.size() == static_cast<std::size_t>(k)) return near;
-    }
+    if (Reduction* reduced = reduction(component, limit)) return k_best_reduced(component, *reduced, k, budget, limit);
   }
   Worlds found;
   const auto most = static_cast<std::size_t>(k);
@@ -88,14 +84,28 @@ Worlds Solver::Implementation::k_best(Component& component, int k, Budget& budge
   return found;
 }
 
+/// The k cheapest are near the best, as a rule: first those within a small reach of it.
 Worlds Solver::Implementation::k_best_worlds(int k, Budget& budget) {
   Worlds all;
-  if (k < 1 || !feasible()) return all;
-  all.worlds.push_back({parts.constant, std::vector<int>(problem.variables().size(), -1)});
-  for (Component& component : parts.components) {
-    const Worlds part = k_best(component, k, budget);
-    all.exact = all.exact && part.exact;
-    all.worlds = combine(all.worlds, part.worlds, static_cast<std::size_t>(k), component.variables);
+  if (k < 1 || solve({}, budget).outcome == Outcome::infeasible) return all;
+  for (const double nats : {2.0, 10.0, std::numeric_limits<double>::infinity()}) {
+    if (best_world.empty() && std::isfinite(nats)) continue;
+    const Cost limit = std::isinf(nats) ? kTop / 2 : optimum() + scale.whole(nats);
+    reach(limit);
+    all = {.worlds = {{parts.constant, std::vector<int>(problem.variables().size(), -1)}}, .exact = true};
+    for (Component& component : parts.components) {
+      const Worlds part = k_best(component, k, budget, is_forbidden(limit) ? limit : component.best_cost + scale.whole(nats));
+      all.exact = all.exact && part.exact;
+      std::vector<World> of_problem;
+      for (const World& world : part.worlds) {
+        of_problem.push_back({world.cost, {}});
+        for (std::size_t v = 0; v < world.labels.size(); ++v)
+          of_problem.back().labels.push_back(component.labels[v][static_cast<std::size_t>(world.labels[v])]);
+      }
+      all.worlds = combine(all.worlds, of_problem, static_cast<std::size_t>(k), component.variables);
+    }
+    if (!is_forbidden(limit)) std::erase_if(all.worlds, [&](const World& world) { return world.cost >= limit; });
+    if (all.worlds.size() == static_cast<std::size_t>(k) || !all.exact) break;
   }
   return all;
 }

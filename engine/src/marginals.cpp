@@ -34,7 +34,8 @@ Marginals Solver::Implementation::marginals(int most_worlds) {
   Budget budget(options.limits);
   Marginals result;
   for (const Variable& variable : problem.variables()) result.probability.emplace_back(variable.labels.size(), 0.0);
-  if (!feasible()) return result;
+  if (solve({}, budget).outcome == Outcome::infeasible) return result;
+  reach(kTop / 2);
   for (Component& component : parts.components) {
     const auto row = [&](std::size_t v) -> std::vector<double>& {
       return result.probability[static_cast<std::size_t>(component.variables[v])];

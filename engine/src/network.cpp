@@ -7,7 +7,7 @@
 namespace scenelore::engine {
 
 int Network::add_variable(const std::vector<Cost>& costs) {
-  assert(binary_.empty() && pending_.empty() && requirements_.empty() && cardinalities_.empty());
+  assert(binary_.empty() && requirements_.empty() && cardinalities_.empty());
   start_empty();
   const int first = static_cast<int>(cost_.size());
   const int size = static_cast<int>(costs.size());
@@ -38,27 +38,69 @@ int Network::new_cells(int count) {
   return first;
 }
 
-void Network::add_binary(int x, int y, const std::vector<Cost>& table, int constraint) {
+int Network::add_table(const std::vector<Cost>& table) {
+  std::size_t hash = table.size();
+  for (const Cost cost : table) hash = (hash ^ static_cast<std::size_t>(cost)) * 0x9E3779B97F4A7C15u + (hash >> 29);
+  const auto [first, last] = table_index_.equal_range(hash);
+  for (auto known = first; known != last; ++known)
+    if (tables_[static_cast<std::size_t>(known->second)] == table) return known->second;
+  tables_.push_back(table);
+  table_index_.emplace(hash, static_cast<int>(tables_.size()) - 1);
+  return static_cast<int>(tables_.size()) - 1;
+}
+
+void Network::add_binary(int x, int y, int table, int constraint) {
   assert(x < y);
-  auto [entry, fresh] = pending_.try_emplace({x, y}, table, constraint);
-  if (fresh) return;
-  std::vector<Cost>& sum = entry->second.first;
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = std::min(sum[i] + table[i], kTop);
+  pending_.resize(variable_.size());
+  pending_[static_cast<std::size_t>(x)].push_back({y, constraint, table, -1, 0});
 }
 
 void Network::add_binary(int x, int y, int label_x, int label_y, Cost cost, int constraint) {
   assert(x < y);
-  auto [entry, fresh] = pending_.try_emplace({x, y}, std::vector<Cost>(), constraint);
-  std::vector<Cost>& sum = entry->second.first;
-  if (fresh) sum.assign(static_cast<std::size_t>(labels(x) * labels(y)), 0);
-  Cost& sum_here = sum[static_cast<std::size_t>(label_x * labels(y) + label_y)];
-  sum_here = std::min(sum_here + cost, kTop);
+  pending_.resize(variable_.size());
+  pending_[static_cast<std::size_t>(x)].push_back({y, constraint, -1, label_x * labels(y) + label_y, cost});
 }
 
-int Network::new_table(const std::vector<Cost>& table) {
-  const auto [entry, fresh] = table_index_.try_emplace(table, static_cast<int>(tables_.size()));
-  if (fresh) tables_.push_back(table);
-  return entry->second;
+/// Adds up what is pending between x and each other variable, in ascending order of these. `function_with[y]` is −1 for
+/// all y, before and after.
+void Network::close_binary(int x, std::vector<int>& function_with) {
+  struct Sum {
+    int y, constraint, table;
+    std::vector<Cost> costs;  ///< empty: the table alone
+  };
+  std::vector<Sum> sums;
+  for (const Pending& part : pending_[static_cast<std::size_t>(x)]) {
+    int& place = function_with[static_cast<std::size_t>(part.y)];
+    if (place < 0) {
+      place = static_cast<int>(sums.size());
+      sums.push_back({part.y, part.constraint, part.table, {}});
+      if (part.table >= 0) continue;
+    }
+    Sum& sum = sums[static_cast<std::size_t>(place)];
+    sum.constraint = std::min(sum.constraint, part.constraint);
+    if (sum.costs.empty() && sum.table >= 0) sum.costs = tables_[static_cast<std::size_t>(sum.table)];
+    if (sum.costs.empty()) sum.costs.assign(static_cast<std::size_t>(labels(x) * labels(part.y)), 0);
+    const auto add = [&](std::size_t i, Cost cost) { sum.costs[i] = std::min(sum.costs[i] + cost, kTop); };
+    if (part.table < 0) {
+      add(static_cast<std::size_t>(part.entry), part.cost);
+      continue;
+    }
+    const std::vector<Cost>& table = tables_[static_cast<std::size_t>(part.table)];
+    for (std::size_t i = 0; i < table.size(); ++i) add(i, table[i]);
+  }
+  std::sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) { return a.y < b.y; });
+  for (const Sum& sum : sums) {
+    function_with[static_cast<std::size_t>(sum.y)] = -1;
+    const int table = sum.costs.empty() ? sum.table : add_table(sum.costs);
+    const std::vector<Cost>& costs = tables_[static_cast<std::size_t>(table)];
+    if (std::all_of(costs.begin(), costs.end(), [](Cost cost) { return cost == 0; })) continue;
+    const int index = static_cast<int>(binary_.size());
+    const int x_cell = new_cells(labels(x));
+    const int y_cell = new_cells(labels(sum.y));
+    binary_.push_back({x, sum.y, table, x_cell, y_cell, sum.constraint});
+    links_[static_cast<std::size_t>(x)].push_back({index, sum.y});
+    links_[static_cast<std::size_t>(sum.y)].push_back({index, x});
+  }
 }
 
 void Network::add_requirement(RequirementFunction function) {
@@ -86,17 +128,10 @@ void Network::close() {
   const auto count = static_cast<std::size_t>(variables());
   links_.resize(count);
   globals_.resize(count);
-  for (const auto& [pair, sum] : pending_) {
-    if (std::all_of(sum.first.begin(), sum.first.end(), [](Cost cost) { return cost == 0; })) continue;
-    const auto [x, y] = pair;
-    const int index = static_cast<int>(binary_.size());
-    const int x_cell = new_cells(labels(x));
-    const int y_cell = new_cells(labels(y));
-    binary_.push_back({x, y, new_table(sum.first), x_cell, y_cell, sum.second});
-    links_[static_cast<std::size_t>(x)].push_back({index, y});
-    links_[static_cast<std::size_t>(y)].push_back({index, x});
-  }
-  pending_.clear();
+  pending_.resize(count);
+  std::vector<int> function_with(count, -1);
+  for (int x = 0; x < variables(); ++x) close_binary(x, function_with);
+  pending_ = {};
   watchers_.resize(original_.size());
   const auto watch = [&](int v, int global) {
     globals_[static_cast<std::size_t>(v)].push_back(global);
@@ -135,6 +170,8 @@ void Network::close() {
   least_gain_ = std::max<Cost>(1, sum / terms / 4096);
   // Forbidden labels go, and all is to be looked at once.
   for (int v = 0; v < variables(); ++v) {
+    rank_.push_back(v);
+    by_rank_.push_back(v);
     reduced_.insert(v);
     raised_.insert(v);
     checks_.insert(v);

@@ -12,9 +12,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "cost.hpp"
@@ -45,6 +45,7 @@ struct RequirementFunction {
     int variable;
     int cell = -1;                                 ///< shifts, one a label
     std::vector<std::pair<int, Cost>> supports{};  ///< (label, cost < weight)
+    auto operator<=>(const Member&) const = default;
   };
   struct Support {
     int member, variable;
@@ -70,6 +71,7 @@ struct CardinalityFunction {
     int variable;
     int cell;
     std::vector<char> counts;  ///< for each label
+    auto operator<=>(const Member&) const = default;
   };
   int x, label, x_cell;
   int low, high;
@@ -92,8 +94,10 @@ class Network {
  public:
   // --- building, before close() ---
   int add_variable(const std::vector<Cost>& costs);
-  /// Adds `table` (row-major by x) to what there is between x and y.
-  void add_binary(int x, int y, const std::vector<Cost>& table, int constraint);
+  /// A table that binary functions may share, row-major; equal ones are kept once. Returns its index.
+  int add_table(const std::vector<Cost>& table);
+  /// Adds a table (row-major by x) to what there is between x and y; x < y.
+  void add_binary(int x, int y, int table, int constraint);
   /// The same with one entry of the table.
   void add_binary(int x, int y, int label_x, int label_y, Cost cost, int constraint);
   void add_requirement(RequirementFunction function);  ///< cells are set here
@@ -134,6 +138,8 @@ class Network {
   bool remove(int v, int label);
   /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
   bool propagate();
+  /// propagate(), then again with the order of shifting turned round, to and fro as long as the bound rises by it.
+  bool strengthen();
   /// After a failure: the constraint that did it, −1 = the bound; and the variable that ran out of labels, −1.
   int failed_constraint() const { return failed_constraint_; }
   int failed_variable() const { return failed_variable_; }
@@ -167,13 +173,15 @@ class Network {
   Cost cost_at(int cell) const { return cost_[static_cast<std::size_t>(cell)]; }
   Cost available(int cell) const { return cost_at(cell) - spent_[static_cast<std::size_t>(cell)]; }
   int new_cells(int count);
-  int new_table(const std::vector<Cost>& table);
+  void close_binary(int x, std::vector<int>& function_with);
   View view(const BinaryFunction& function, int to) const;
 
   void set(int cell, Cost cost);
   bool fail(int v);
   bool settle(int v);
   bool settle_all();
+  void turn_order();
+  int rank(int v) const { return rank_[static_cast<std::size_t>(v)]; }
   void announce(int v);
   void start_empty();
 
@@ -212,8 +220,14 @@ class Network {
   std::vector<Cost> spent_;     ///< by label cell: promised to moves not yet committed
   std::vector<int> owner_;      ///< by label cell
   std::vector<std::vector<Cost>> tables_;
-  std::map<std::vector<Cost>, int> table_index_;
-  std::map<std::pair<int, int>, std::pair<std::vector<Cost>, int>> pending_;  ///< binary functions, until close()
+  std::unordered_multimap<std::size_t, int> table_index_;  ///< by hash
+  struct Pending {  ///< part of a binary function of x and y, until close()
+    int y, constraint;
+    int table;  ///< −1: one entry
+    int entry;
+    Cost cost;
+  };
+  std::vector<std::vector<Pending>> pending_;  ///< by x
   std::vector<BinaryFunction> binary_;
   std::vector<RequirementFunction> requirements_;
   std::vector<CardinalityFunction> cardinalities_;
@@ -229,7 +243,9 @@ class Network {
   std::vector<std::uint32_t> stamps_;
   std::uint32_t next_stamp_ = 1;
 
-  IndexSet reduced_, raised_, checks_, dirty_requirements_, dirty_cardinalities_;
+  std::vector<int> rank_, by_rank_;  ///< place of each variable in the order of shifting, and the variable at each place
+  IndexSet reduced_, dirty_requirements_, dirty_cardinalities_;
+  IndexSet raised_, checks_;  ///< of ranks
   std::vector<int> support_;  ///< by variable: the label that last passed the existential check
   std::vector<Cost> gain_;
   std::vector<Move> moves_;

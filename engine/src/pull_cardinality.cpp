@@ -99,7 +99,7 @@ void Network::lift_cardinality(const CardinalityFunction& f, int to, int above) 
   const CardinalityFunction::Member* mine = nullptr;
   const auto potential = [&](const CardinalityFunction::Member& member, int label) {
     const Cost given = -cost_at(member.cell + label);
-    return member.variable > above || member.variable == to
+    return rank(member.variable) > above || member.variable == to
                ? given + available(static_cast<int>(cell(member.variable, label)))
                : given;
   };
@@ -166,7 +166,7 @@ void Network::lift_cardinality(const CardinalityFunction& f, int to, int above) 
   if (moves_.size() == before) return;
   for (std::size_t j = 0; j < counts_.size(); ++j) {
     const auto& member = f.members[j];
-    if (member.variable <= above || member.variable == to) continue;
+    if (rank(member.variable) <= above || member.variable == to) continue;
     const Cost floor = to == f.x ? std::min(counts_[j].in, counts_[j].out) : -kTop;
     for (const int label : live(member.variable)) {
       const bool counted = member.counts[static_cast<std::size_t>(label)] != 0;

@@ -40,7 +40,7 @@ bool Network::is_live(const RequirementFunction::Support& support) const {
 /// What the function has been given for a support, and can still be given when its variable may pay.
 Cost Network::given(const RequirementFunction::Support& support, int above) const {
   const Cost before = -cost_at(support.shift_cell);
-  return support.variable > above ? before + available(support.label_cell) : before;
+  return rank(support.variable) > above ? before + available(support.label_cell) : before;
 }
 
 /// scratch_[j] = m_j; returns their sum, without that of member `without`.
@@ -55,7 +55,7 @@ Cost Network::least_given(const RequirementFunction& f, std::size_t without, int
     for (const int label : live(member.variable)) {
       const Cost before = -cost_at(member.cell + label);
       least = std::min(
-          least, member.variable > above ? before + available(static_cast<int>(cell(member.variable, label))) : before);
+          least, rank(member.variable) > above ? before + available(static_cast<int>(cell(member.variable, label))) : before);
     }
     scratch_[j] = least;
     sum += least;
@@ -109,7 +109,7 @@ void Network::charge(const RequirementFunction& f, std::size_t without, Cost tar
   if (cost_at(f.lifted_cell) != 0)
     for (std::size_t j = 0; j < f.members.size(); ++j) {
       const auto& member = f.members[j];
-      if (j == without || member.variable <= above) continue;
+      if (j == without || rank(member.variable) <= above) continue;
       for (const int label : live(member.variable)) {
         Cost need = scratch_[j] + cost_at(member.cell + label);
         for (const auto& [support, cost] : member.supports)
@@ -119,7 +119,7 @@ void Network::charge(const RequirementFunction& f, std::size_t without, Cost tar
     }
   else
     for (const auto& support : f.supports) {
-      if (static_cast<std::size_t>(support.member) == without || support.variable <= above || !is_live(support))
+      if (static_cast<std::size_t>(support.member) == without || rank(support.variable) <= above || !is_live(support))
         continue;
       const Cost need = target - support.cost + cost_at(support.shift_cell);
       if (need > 0) move(support.label_cell, support.shift_cell, -need);
@@ -131,7 +131,7 @@ void Network::pull_to_member(RequirementFunction& f, std::size_t k, int above) {
   const int to = mine.variable;
   const auto owner_gives = [&](int label) {
     const Cost before = -cost_at(f.x_cell + label);
-    return f.x > above ? before + available(static_cast<int>(cell(f.x, label))) : before;
+    return rank(f.x) > above ? before + available(static_cast<int>(cell(f.x, label))) : before;
   };
   Cost idle = kTop;  // what x costs at least with another label
   for (const int label : live(f.x)) {
@@ -168,7 +168,7 @@ void Network::pull_to_member(RequirementFunction& f, std::size_t k, int above) {
   }
   if (!any) return;
   const Cost from_owner = std::min(active, target);
-  if (f.x > above)
+  if (rank(f.x) > above)
     for (const int label : live(f.x)) {
       const Cost need = (label == f.label ? from_owner : target) + cost_at(f.x_cell + label);
       if (need > 0) move(static_cast<int>(cell(f.x, label)), f.x_cell + label, -need);

@@ -9,13 +9,13 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// Labels of a part in terms of the whole component.
-void translate(const Reduction::Part& part, const std::vector<int>& labels, std::vector<int>& assignment) {
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    assignment[index(part.component.variables[i])] = part.labels[i][index(labels[i])];
-}
-
 }  // namespace
+
+void Solver::Implementation::translate(const Component& component, const std::vector<int>& labels,
+                                       std::vector<int>& assignment) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    assignment[index(component.variables[i])] = component.labels[i][index(labels[i])];
+}
 
 Reduction* Solver::Implementation::reduction(Component& component, Cost limit) const {
   if (options.bound != Bound::soft_consistency || !component.whole || component.best.empty() ||
@@ -50,13 +50,13 @@ SearchResult Solver::Implementation::solve_reduced(Component& component, Reducti
   SearchResult result{component.best_cost, component.best_cost, component.best, true};
   for (std::size_t p = 0; p < reduced.parts.size(); ++p) {
     if (of_part[p].empty()) continue;
-    Reduction::Part& part = reduced.parts[p];
-    const Cost others = result.lower_bound - part.component.best_cost;
-    const SearchResult of = solve(part.component, of_part[p], budget, std::max<Cost>(0, limit - others));
+    Component& part = reduced.parts[p];
+    const Cost others = result.lower_bound - part.best_cost;
+    const SearchResult of = solve(part, of_part[p], budget, std::max<Cost>(0, limit - others));
     if (of.complete && of.assignment.empty()) return none;
     result.complete = result.complete && of.complete;
-    result.lower_bound += of.lower_bound - part.component.best_cost;
-    result.cost += of.cost - part.component.best_cost;
+    result.lower_bound += of.lower_bound - part.best_cost;
+    result.cost += of.cost - part.best_cost;
     if (of.assignment.empty())
       result.assignment.clear();
     else if (!result.assignment.empty())
@@ -66,22 +66,22 @@ SearchResult Solver::Implementation::solve_reduced(Component& component, Reducti
   return result;
 }
 
-Worlds Solver::Implementation::k_best_reduced(Component& component, Reduction& reduced, int k, Budget& budget) {
+Worlds Solver::Implementation::k_best_reduced(Component& component, Reduction& reduced, int k, Budget& budget,
+                                              Cost limit) {
   Worlds all;
   all.worlds.push_back({component.best_cost, component.best});
-  for (Reduction::Part& part : reduced.parts) {
-    const Cost limit = reduced.cutoff - (component.best_cost - part.component.best_cost);
-    const Worlds of_part = k_best(part.component, k, budget, limit);
+  for (Component& part : reduced.parts) {
+    const Worlds of_part = k_best(part, k, budget, limit - (component.best_cost - part.best_cost));
     all.exact = all.exact && of_part.exact;
     std::vector<World> next;
     for (const World& world : of_part.worlds) {
-      next.push_back({world.cost - part.component.best_cost, std::vector<int>(world.labels.size())});
+      next.push_back({world.cost - part.best_cost, std::vector<int>(world.labels.size())});
       for (std::size_t i = 0; i < world.labels.size(); ++i)
         next.back().labels[i] = part.labels[i][index(world.labels[i])];
     }
-    all.worlds = combine(all.worlds, next, index(k), part.component.variables);
+    all.worlds = combine(all.worlds, next, index(k), part.variables);
   }
-  std::erase_if(all.worlds, [&](const World& world) { return world.cost >= reduced.cutoff; });
+  std::erase_if(all.worlds, [&](const World& world) { return world.cost >= limit; });
   return all;
 }
 

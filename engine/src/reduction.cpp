@@ -21,7 +21,7 @@ class Builder {
     for (int v = 0; v < whole_.network.variables(); ++v) result_.settled.push_back(whole_.network.value(v));
     add_variables();
     add_functions();
-    for (Reduction::Part& part : result_.parts) close(part.component);
+    for (Component& part : result_.parts) close(part);
     return std::move(result_);
   }
 
@@ -42,13 +42,13 @@ class Builder {
       const auto& open = residual_.variables[i];
       const auto root = index(parts.find(static_cast<int>(i)));
       part_.push_back(root == i ? static_cast<int>(result_.parts.size()) : part_[root]);
-      if (root == i) result_.parts.emplace_back().component.whole = false;
-      Reduction::Part& part = result_.parts[index(part_[i])];
-      place_.push_back(part.component.network.add_variable(open.costs));
-      part.component.variables.push_back(open.variable);
+      if (root == i) result_.parts.emplace_back().whole = false;
+      Component& part = result_.parts[index(part_[i])];
+      place_.push_back(part.network.add_variable(open.costs));
+      part.variables.push_back(open.variable);
       part.labels.push_back(open.labels);
       const auto best = std::find(open.labels.begin(), open.labels.end(), whole_.best[index(open.variable)]);
-      part.component.best.push_back(static_cast<int>(best - open.labels.begin()));
+      part.best.push_back(static_cast<int>(best - open.labels.begin()));
       if (open.labels.size() == 1) continue;  // stays settled
       result_.part_of[index(open.variable)] = part_[i];
       result_.index_in[index(open.variable)] = place_[i];
@@ -58,11 +58,14 @@ class Builder {
     }
   }
 
-  Network& network(int open) { return result_.parts[index(part_[index(open)])].component.network; }
+  Network& network(int open) { return result_.parts[index(part_[index(open)])].network; }
   int place(int open) const { return place_[index(open)]; }
 
   void add_functions() {
-    for (const auto& pair : residual_.pairs) network(pair.x).add_binary(place(pair.x), place(pair.y), pair.costs, -1);
+    for (const auto& pair : residual_.pairs) {
+      Network& of = network(pair.x);
+      of.add_binary(place(pair.x), place(pair.y), of.add_table(pair.costs), -1);
+    }
     for (const auto& need : residual_.needs) {
       RequirementFunction f{place(need.x), need.label, need.weight, -1};
       for (const auto& support : need.supports) {
@@ -83,7 +86,7 @@ class Builder {
   static void close(Component& component) {
     component.network.close();
     component.network.set_limit(kTop / 2);
-    component.feasible = component.network.propagate();
+    component.feasible = component.network.strengthen();
     component.best_cost = component.network.evaluate(component.best);
   }
 
@@ -99,7 +102,7 @@ Reduction reduce(Component& component, Cost cutoff) {
   Network& network = component.network;
   network.push();
   network.set_limit(cutoff);
-  network.propagate();
+  network.strengthen();
   Reduction result = Builder(component, network.residual()).build();
   result.cutoff = cutoff;
   network.pop();

@@ -11,18 +11,13 @@
 namespace scenelore::engine {
 
 struct Reduction {
-  /// A component of its own; variables are those of the reduced component, labels count the live ones.
-  struct Part {
-    Component component;
-    std::vector<std::vector<int>> labels;  ///< of the reduced component, for each variable
-  };
   Cost cutoff = 0;                         ///< worlds cheaper than this are all in it
   Cost constant = 0;                       ///< least cost of everything outside the parts
   std::vector<int> settled;                ///< the label of each variable that is in no part
   std::vector<int> part_of;                ///< of each variable, −1 = none
   std::vector<int> index_in;               ///< its place in that part
   std::vector<std::vector<int>> label_in;  ///< of each label of a variable in a part its number there, −1 = gone
-  std::vector<Part> parts;
+  std::vector<Component> parts;            ///< variables and labels are those of the reduced component
 };
 
 /// `component` has a proved optimum cheaper than `cutoff`.

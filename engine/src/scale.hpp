@@ -17,9 +17,13 @@ class Scale {
   /// kTop for more than all finite costs together.
   Cost whole(double cost) const;
   double real(Cost cost) const;
+  /// A cost of a whole assignment that was added up in real numbers and then made whole differs from the sum of whole
+  /// costs by less than this.
+  Cost slack() const { return slack_; }
 
  private:
   double units_;
+  Cost slack_;
 };
 
 }  // namespace scenelore::engine

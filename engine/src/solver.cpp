@@ -21,16 +21,25 @@ bool agrees(const std::vector<int>& labels, const std::vector<Decision>& decisio
   });
 }
 
+void require_literal(const Problem& problem, const Literal& literal) {
+  const auto& variables = problem.variables();
+  if (literal.variable < 0 || literal.variable >= static_cast<int>(variables.size()) || literal.label < 0 ||
+      literal.label >= static_cast<int>(variables[static_cast<std::size_t>(literal.variable)].labels.size()))
+    throw Error("assumption: there is no literal (" + std::to_string(literal.variable) + ", " +
+                std::to_string(literal.label) + ")");
+}
+
 }  // namespace
 
 Solver::Implementation::Implementation(const Problem& of, SolverOptions with)
-    : problem(of), options(with), scale(of), parts(decompose(of, scale, with.bound)) {}
+    : problem(of), options(with), scale(of) {}
 
 Search::Report Solver::Implementation::report(const Component& component) const {
   if (options.observer == nullptr) return {};
   return {options.observer,
           [&component](int v, int label) {
-            return Literal{component.variables[static_cast<std::size_t>(v)], label};
+            const auto place = static_cast<std::size_t>(v);
+            return Literal{component.variables[place], component.labels[place][static_cast<std::size_t>(label)]};
           },
           [this](Cost cost) { return scale.real(cost); }};
 }
@@ -144,42 +153,49 @@ Solution Solver::Implementation::finish(std::vector<int> assignment, bool comple
   return solution;
 }
 
-Solution Solver::Implementation::solve(const Assumptions& assumptions) {
-  Budget budget(options.limits);
+Solution Solver::Implementation::solve(const Assumptions& assumptions, Budget& budget) {
+  for (const auto* literals : {&assumptions.fixed, &assumptions.forbidden})
+    for (const Literal& literal : *literals) require_literal(problem, literal);
+  const Cost below = std::min(scale.whole(std::max(assumptions.below, 0.0)), kTop / 2);
+  const Cost limit = std::min(below, upper_limit(assumptions));
+  reach(limit);
+  const auto none_below = [&] {
+    return is_forbidden(below) ? finish({}, true, kTop, budget) : finish({}, false, below, budget);
+  };
+  if (!feasible()) return none_below();
+
   std::vector<std::vector<Decision>> decisions(parts.components.size());
   const auto assume = [&](const Literal& literal, bool equal) {
-    const auto& variables = problem.variables();
-    if (literal.variable < 0 || literal.variable >= static_cast<int>(variables.size()) || literal.label < 0 ||
-        literal.label >= static_cast<int>(variables[static_cast<std::size_t>(literal.variable)].labels.size()))
-      throw Error("assumption: there is no literal (" + std::to_string(literal.variable) + ", " +
-                  std::to_string(literal.label) + ")");
     const auto v = static_cast<std::size_t>(literal.variable);
-    decisions[static_cast<std::size_t>(parts.component_of[v])].push_back({parts.index_in[v], literal.label, equal});
+    const int label = parts.label_in[v][static_cast<std::size_t>(literal.label)];
+    if (label >= 0)
+      decisions[static_cast<std::size_t>(parts.component_of[v])].push_back({parts.index_in[v], label, equal});
+    return label >= 0 || !equal;
   };
-  for (const Literal& literal : assumptions.fixed) assume(literal, true);
+  for (const Literal& literal : assumptions.fixed)
+    if (!assume(literal, true)) return none_below();
   for (const Literal& literal : assumptions.forbidden) assume(literal, false);
-  if (!feasible()) return finish({}, true, kTop, budget);
 
   Cost least = parts.constant;
   for (const Component& component : parts.components) least += least_cost(component);
-  const Cost below = std::min(scale.whole(std::max(assumptions.below, 0.0)), kTop / 2);
   std::vector<int> assignment(problem.variables().size(), -1);
   bool complete = true, whole = true;
   Cost lower_bound = parts.constant;
   for (std::size_t c = 0; c < parts.components.size(); ++c) {
     Component& component = parts.components[c];
-    const Cost limit = is_forbidden(below) ? below : std::max<Cost>(0, below - (least - least_cost(component)));
-    const SearchResult part = solve(component, decisions[c], budget, limit);
-    if (part.complete && part.assignment.empty())
-      return is_forbidden(below) ? finish({}, true, kTop, budget) : finish({}, false, below, budget);
+    const Cost of_part = is_forbidden(limit) ? limit : std::max<Cost>(0, limit - (least - least_cost(component)));
+    const SearchResult part = solve(component, decisions[c], budget, of_part);
+    if (part.complete && part.assignment.empty()) return none_below();
     complete = complete && part.complete;
     whole = whole && !part.assignment.empty();
     lower_bound += part.lower_bound;
-    for (std::size_t i = 0; i < part.assignment.size(); ++i)
-      assignment[static_cast<std::size_t>(component.variables[i])] = part.assignment[i];
+    translate(component, part.assignment, assignment);
   }
   if (!whole) assignment.clear();
-  return finish(std::move(assignment), complete, lower_bound, budget);
+  Solution solution = finish(std::move(assignment), complete, lower_bound, budget);
+  if (!solution.assignment.empty()) meet(solution.assignment, solution.cost);
+  if (complete && assumptions.fixed.empty() && assumptions.forbidden.empty()) best_world = solution.assignment;
+  return solution;
 }
 
 Solver::Solver(const Problem& problem, SolverOptions options)
@@ -188,7 +204,10 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
-Solution Solver::solve(const Assumptions& assumptions) { return implementation_->solve(assumptions); }
+Solution Solver::solve(const Assumptions& assumptions) {
+  Budget budget(implementation_->options.limits);
+  return implementation_->solve(assumptions, budget);
+}
 std::vector<Solution> Solver::k_best(int k) { return implementation_->k_best(k); }
 MinMarginals Solver::min_marginals() { return implementation_->min_marginals(); }
 Marginals Solver::marginals(int most_worlds) { return implementation_->marginals(most_worlds); }

@@ -7,10 +7,10 @@
 
 namespace scenelore::engine {
 
-/// Writes the problem as a toulbar2 cost function network; costs with six decimals. Variables keep their names when
-/// they differ from each other; requirement c adds a variable "supporter<c>" (none, or one of the supports) and
+/// Writes the problem as a toulbar2 cost function network; costs with six decimals. Variables and labels keep their names
+/// when they differ from each other, with _ for all but letters, digits, points and dashes; requirement c adds a variable "supporter<c>" (none, or one of the supports) and
 /// cardinality c variables "count<c>_<i>", so that functions have at most three variables. The problem's variables come
-/// first, in order. `toulbar2 FILE -s=3` shows the labels. Throws Error when a name holds a quote or backslash.
+/// first, in order. `toulbar2 FILE -s=3` shows the labels.
 void write_cfn(const Problem& problem, std::ostream& out);
 
 }  // namespace scenelore::engine

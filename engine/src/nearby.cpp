@@ -1,0 +1,116 @@
+// Only the part of a problem that can matter for a question is built. With an upper bound on the answer, a label whose
+// own cost, on top of the cheapest label of every other variable, reaches it is in no world of interest. Descent from the
+// cheapest labels finds an upper bound before anything is built; as a rule it is the optimum, and what is left to do is
+// the proof.
+#include <algorithm>
+#include <cmath>
+
+#include "implementation.hpp"
+#include "scenelore/engine/checker.hpp"
+
+namespace scenelore::engine {
+namespace {
+
+constexpr std::size_t kMostMet = 64;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool agrees(const std::vector<int>& assignment, const Assumptions& assumptions) {
+  const auto holds = [&](const Literal& literal) { return assignment[index(literal.variable)] == literal.label; };
+  return std::all_of(assumptions.fixed.begin(), assumptions.fixed.end(), holds) &&
+         std::none_of(assumptions.forbidden.begin(), assumptions.forbidden.end(), holds);
+}
+
+}  // namespace
+
+void Solver::Implementation::meet(const std::vector<int>& assignment, double cost) {
+  for (const auto& known : met)
+    if (known.second == assignment) return;
+  if (met.size() == kMostMet) met.erase(std::max_element(met.begin(), met.end()));
+  met.emplace_back(cost, assignment);
+}
+
+Cost Solver::Implementation::upper_limit(const Assumptions& assumptions) {
+  if (options.bound == Bound::paper) return kTop / 2;
+  const auto cheapest = [&] {
+    double least = assumptions.below;
+    bool any = false;
+    for (const auto& [cost, assignment] : met) {
+      if (!(cost < least) || !agrees(assignment, assumptions)) continue;
+      least = cost;
+      any = true;
+    }
+    return any ? scale.whole(least) + scale.slack() : kTop / 2;
+  };
+  // A limit that is given serves many questions; one parts and reduction for them all.
+  if (!best_world.empty() && std::isfinite(assumptions.below)) return kTop / 2;
+  const Cost limit = cheapest();
+  if (!is_forbidden(limit)) return limit;
+  if (!local_search) local_search.emplace(problem);
+  std::vector<int> assignment = local_search->begin(assumptions, best_world);
+  local_search->descend(assignment);
+  const Check checked = check(problem, assignment);
+  if (checked.valid && agrees(assignment, assumptions)) meet(assignment, checked.cost);
+  return cheapest();
+}
+
+std::vector<std::vector<char>> Solver::Implementation::labels_below(Cost limit) const {
+  if (is_forbidden(limit)) return {};
+  const auto& variables = problem.variables();
+  std::vector<Cost> cheapest;
+  Cost bound = 0;
+  for (const Variable& variable : variables) {
+    cheapest.push_back(scale.whole(*std::min_element(variable.costs.begin(), variable.costs.end())));
+    bound += cheapest.back();
+    if (is_forbidden(bound)) return {};
+  }
+  std::vector<std::vector<char>> labels;
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    auto& row = labels.emplace_back();
+    for (const double cost : variables[v].costs)
+      row.push_back(bound - cheapest[v] + scale.whole(cost) < limit ? 1 : 0);
+    for (const auto& known : met) row[index(known.second[v])] = 1;
+    // Nothing is below the limit when this one is not; the network will say so.
+    if (std::find(row.begin(), row.end(), 1) == row.end())
+      row[index(static_cast<int>(std::min_element(variables[v].costs.begin(), variables[v].costs.end()) -
+                                 variables[v].costs.begin()))] = 1;
+  }
+  return labels;
+}
+
+Cost Solver::Implementation::optimum() const {
+  Cost sum = parts.constant;
+  for (const Component& component : parts.components) sum += component.best_cost;
+  return sum;
+}
+
+void Solver::Implementation::reach(Cost limit) {
+  if (options.bound == Bound::paper) limit = kTop / 2;
+  if (limit <= cutoff) return;
+  if (!best_world.empty() && !is_forbidden(limit)) {  // at least twice as far as before, so that there are few steps
+    if (cutoff > 0) limit = std::max(limit, 2 * cutoff - optimum());
+  }
+  parts = decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit);
+  cutoff = is_forbidden(limit) ? kTop : limit;
+  for (Component& component : parts.components) seed(component);
+}
+
+/// What is known of the whole problem, in terms of one component.
+void Solver::Implementation::seed(Component& component) const {
+  if (!component.feasible) return;
+  const auto part_of = [&](const std::vector<int>& assignment) {
+    std::vector<int> labels;
+    for (const int v : component.variables)
+      labels.push_back(parts.label_in[index(v)][index(assignment[index(v)])]);
+    return labels;
+  };
+  for (const auto& known : met) {
+    const std::vector<int> labels = part_of(known.second);
+    remember(component, labels, component.network.evaluate(labels));
+  }
+  if (best_world.empty()) return;
+  component.best = part_of(best_world);
+  component.best_cost = component.network.evaluate(component.best);
+}
+
+}  // namespace scenelore::engine
