@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench table1 relabel knowledge asan clean
+.PHONY: demo test build bench engine_bench table1 relabel knowledge asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -30,6 +30,13 @@ relabel: bench
 knowledge: bench
 	build/bench/bin/learn_office schemas/knowledge/office.sql > schemas/knowledge/office_learned.sql.new
 	mv schemas/knowledge/office_learned.sql.new schemas/knowledge/office_learned.sql
+
+# The engine beside toulbar2 on the same instances: rooms, random planes, a building, classical problems.
+engine_bench: bench
+	rm -rf build/bench/rooms && mkdir -p build/bench/rooms
+	cd build/bench/rooms && for seed in 7 11 12; do ../bin/scenelore simulate room$$seed.ply --seed $$seed && \
+	  ../bin/scenelore run room$$seed.ply --kb rooms.gpkg > /dev/null || exit 1; done
+	build/bench/bin/engine_bench build/bench/bin/scenelore build/bench/rooms/rooms.gpkg
 
 bench:
 	bash tools/setup.sh build test

@@ -89,7 +89,7 @@ struct Solver::Implementation {
   const Problem& problem;
   SolverOptions options;
   Scale scale;
-  Cost cutoff = 0;        ///< parts hold all worlds cheaper than this
+  Cost cutoff = -1;       ///< parts hold all worlds cheaper than this; at first there are none
   Decomposition parts{};  ///< made when first needed, with no more labels than that asks for
   std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
   std::vector<int> best_world{};                                 ///< an optimal one, once it is proved

@@ -90,6 +90,8 @@ int guarded(Command& command) {
     return report(kKnowledge, "", error);
   } catch (const rules::Error& error) {
     return report(kKnowledge, "", error);
+  } catch (const engine::FileError& error) {
+    return report(kInput, "", error);
   } catch (const engine::Error& error) {
     return report(kKnowledge, "", error);
   } catch (const std::bad_alloc& error) {

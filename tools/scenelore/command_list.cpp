@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(kb_init_command());
   commands.push_back(rules_check_command());
   commands.push_back(simulate_command());
+  commands.push_back(solve_command());
   return commands;
 }
 

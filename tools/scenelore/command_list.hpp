@@ -17,5 +17,6 @@ std::unique_ptr<Command> info_command();
 std::unique_ptr<Command> kb_init_command();
 std::unique_ptr<Command> rules_check_command();
 std::unique_ptr<Command> simulate_command();
+std::unique_ptr<Command> solve_command();
 
 }  // namespace scenelore::tools

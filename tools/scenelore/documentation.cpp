@@ -52,7 +52,7 @@ std::string documentation(const std::vector<std::unique_ptr<Command>>& commands)
       "`name = value`. The last column tells what an option changes: the result, only speed, or only the output.\n\n"
       "| exit code | meaning |\n| --- | --- |\n"
       "| 0 | ok |\n| 1 | ran, but the answer is negative: no planes, no valid world model, a check failed |\n"
-      "| 2 | usage |\n| 3 | a scan could not be read, or an output not written |\n| 4 | knowledge base or rule error |\n"
+      "| 2 | usage |\n| 3 | a scan or problem file could not be read, or an output not written |\n| 4 | knowledge base or rule error |\n"
       "| 5 | a limit or an interrupt struck; the best answer so far is stored |\n| 70 | internal error |\n";
   for (const auto& command : commands) {
     out += fmt::format("\n## scenelore {}\n\n{}\n\n```sh\n{}\n```\n\n", command->name(), command->summary(), command->example());

@@ -74,14 +74,18 @@ std::vector<Argument> LabellingArguments::arguments() {
 }
 
 rules::LabellingOptions LabellingArguments::options() const {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   rules::LabellingOptions options{.alternatives = alternatives};
   options.solver.bound = paper_bound ? engine::Bound::paper : engine::Bound::soft_consistency;
-  options.solver.limits.interrupt = &interrupted;
+  options.solver.limits.interrupt = interrupt_flag();
   if (seconds) options.solver.limits.seconds = *seconds;
   if (nodes) options.solver.limits.nodes = static_cast<std::uint64_t>(*nodes);
   return options;
+}
+
+const std::atomic<bool>* interrupt_flag() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  return &interrupted;
 }
 
 Argument json_argument(bool& json) { return {"--json", &json, "", "print JSON"}; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct LabellingArguments {
   /// Options with the interrupt flag that SIGINT and SIGTERM set.
   [[nodiscard]] rules::LabellingOptions options() const;
 };
+
+/// Set by SIGINT and SIGTERM from the first call on.
+[[nodiscard]] const std::atomic<bool>* interrupt_flag();
 
 [[nodiscard]] Argument json_argument(bool& json);
 

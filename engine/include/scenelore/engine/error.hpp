@@ -10,4 +10,10 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A problem file that cannot be opened, read or understood.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace scenelore::engine
