@@ -1,47 +1,55 @@
 #include "absorb.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
-
-#include "adjacency.hpp"
 
 namespace scenelore::perception {
 namespace {
 
 constexpr double kShare = 0.7;
 
-double share_within(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, double reach) {
-  std::size_t inside = 0;
-  for (const std::uint32_t i : points) {
-    if (std::abs(plane.distance(cloud.offset(i).cast<double>())) <= reach) ++inside;
-  }
-  return static_cast<double>(inside) / static_cast<double>(points.size());
+/// Share of a slot's points within reach of the plane, were they normally distributed about their mean.
+double share_within(const Moments& slot, const PlaneFit& plane, double reach) {
+  const double mean = slot.mean_distance(plane);
+  const double variance = slot.mean_squared_distance(plane) - mean * mean;
+  const double scale = 1 / std::sqrt(2 * std::max(variance, 1e-4 * reach * reach));
+  return 0.5 * (std::erf((reach - mean) * scale) + std::erf((reach + mean) * scale));
 }
 
 }  // namespace
 
-void absorb_fragments(const Cloud& cloud, const CellIndex& cells, const Limits& limits, Regions& regions) {
-  const std::size_t count = regions.planes.size();
+void absorb_fragments(const Pyramid& pyramid, const Limits& limits, Slots& slots, std::vector<PlaneFit>& planes) {
+  const std::size_t count = planes.size();
   std::vector<std::vector<std::int32_t>> larger(count);
   const auto before = [&](std::int32_t a, std::int32_t b) {  // a is the larger one
-    return std::pair(-regions.planes[a].count, a) < std::pair(-regions.planes[b].count, b);
+    return std::pair(-planes[a].count, a) < std::pair(-planes[b].count, b);
   };
-  for (const auto& [a, b] : touching_regions(cells, 2, regions.of_point)) {
+  for (const auto& [a, b] : touching_regions(pyramid, slots, 1)) {
     if (before(a, b)) {
       larger[b].push_back(a);
     } else {
       larger[a].push_back(b);
     }
   }
-  const auto points = points_of_regions(regions.of_point, count);
+  const std::vector<double> reach = tolerances(planes, limits);
+  // Points of each region within reach of each larger neighbour.
+  std::vector<std::vector<double>> inside(count);
+  for (std::size_t r = 0; r < count; ++r) inside[r].assign(larger[r].size(), 0);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    const std::int32_t r = slots.region[s];
+    if (r < 0 || slots.moments[s].n <= 0) continue;
+    for (std::size_t k = 0; k < larger[r].size(); ++k) {
+      const std::int32_t other = larger[r][k];
+      inside[r][k] += slots.moments[s].n * share_within(slots.moments[s], planes[other], reach[other]);
+    }
+  }
   std::vector<std::int32_t> target(count);
   std::iota(target.begin(), target.end(), 0);
   for (std::size_t r = 0; r < count; ++r) {
-    if (points[r].empty()) continue;
-    double best = kShare;
-    for (const std::int32_t other : larger[r]) {
-      const double share = share_within(cloud, points[r], regions.planes[other], tolerance(regions.planes[other], limits));
-      if (share >= best) best = share, target[r] = other;
+    double best = kShare * planes[r].count;
+    for (std::size_t k = 0; k < larger[r].size(); ++k) {
+      if (inside[r][k] >= best) best = inside[r][k], target[r] = larger[r][k];
     }
   }
   // Chains end at a region that stays: each step goes to a larger one.
@@ -50,14 +58,13 @@ void absorb_fragments(const Cloud& cloud, const CellIndex& cells, const Limits& 
     return r;
   };
   // Only what the plane explains may move it: a few points far from it would turn it away from its own.
-  for (std::size_t i = 0; i < regions.of_point.size(); ++i) {
-    std::int32_t& r = regions.of_point[i];
-    if (r < 0 || target[r] == r) continue;
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    std::int32_t& r = slots.region[s];
+    if (r < 0 || target[r] == r || slots.moments[s].n <= 0) continue;
     r = final_target(r);
-    const PlaneFit& plane = regions.planes[r];
-    if (std::abs(plane.distance(cloud.offset(i).cast<double>())) > tolerance(plane, limits)) r = -1;
+    if (share_within(slots.moments[s], planes[r], reach[r]) < 0.5) r = -1;
   }
-  refit(cloud, regions);
+  refit(slots, planes);
 }
 
 }  // namespace scenelore::perception

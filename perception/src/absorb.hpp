@@ -1,14 +1,13 @@
 // Fragments that a larger neighbouring plane explains.
 #pragma once
 
-#include "cell_index.hpp"
-#include "regions.hpp"
+#include "adjacency.hpp"
 
 namespace scenelore::perception {
 
 /// A region goes to the larger neighbour that has at least 70 % of its points within its tolerance (that neighbour which
 /// has most of them). Layers of one noisy wall and steps of rounded distances come together here; what is a thing of its
 /// own in front of a plane is found afterwards, by the statistics of the residuals (thin_objects.hpp).
-void absorb_fragments(const Cloud& cloud, const CellIndex& cells, const Limits& limits, Regions& regions);
+void absorb_fragments(const Pyramid& pyramid, const Limits& limits, Slots& slots, std::vector<PlaneFit>& planes);
 
 }  // namespace scenelore::perception

@@ -4,33 +4,46 @@
 
 namespace scenelore::perception {
 
-std::vector<std::pair<std::int32_t, std::int32_t>> touching_regions(const CellIndex& cells, int reach, std::span<const std::int32_t> of_point) {
-  std::vector<std::pair<CellKey, std::int32_t>> present;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const auto [x, y, z] = coordinates(cells.key(c));
-    const auto floor_div = [reach](std::int64_t a) { return a >= 0 ? a / reach : -((-a + reach - 1) / reach); };
-    const CellKey coarse = cell_key(floor_div(x), floor_div(y), floor_div(z));
-    std::int32_t last = -1;
-    for (const std::uint32_t i : cells.items(c)) {
-      const std::int32_t r = of_point[i];
-      if (r < 0 || r == last) continue;
-      present.emplace_back(coarse, last = r);
-    }
+Pyramid make_pyramid(const VoxelGrid& grid, int threads) {
+  Pyramid pyramid;
+  pyramid.levels.reserve(Pyramid::kLevels);
+  const VoxelGrid* finer = &grid;
+  for (int level = 0; level < Pyramid::kLevels; ++level) {
+    pyramid.levels.push_back(coarsened(*finer, finer->moments, threads));
+    finer = &pyramid.levels.back().grid;
   }
-  std::sort(present.begin(), present.end());
-  present.erase(std::unique(present.begin(), present.end()), present.end());
-  std::vector<CellKey> keys(present.size());
-  for (std::size_t i = 0; i < present.size(); ++i) keys[i] = present[i].first;
-  const CellIndex index(keys);
+  return pyramid;
+}
+
+std::vector<std::pair<std::int32_t, std::int32_t>> touching_regions(const Pyramid& pyramid, const Slots& slots, int level) {
+  const VoxelGrid& grid = pyramid.levels[static_cast<std::size_t>(level - 1)].grid;
+  // Regions by cube as linked lists: most cubes have one.
+  struct Entry {
+    std::int32_t region, next;
+  };
+  std::vector<std::int32_t> head(grid.count(), -1);
+  std::vector<Entry> entries;
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] < 0 || slots.moments[s].n <= 0) continue;
+    std::uint32_t cube = slots.voxel[s];
+    for (int l = 0; l < level; ++l) cube = pyramid.levels[static_cast<std::size_t>(l)].parent[cube];
+    std::int32_t e = head[cube];
+    while (e >= 0 && entries[e].region != slots.region[s]) e = entries[e].next;
+    if (e >= 0) continue;
+    entries.push_back({slots.region[s], head[cube]});
+    head[cube] = static_cast<std::int32_t>(entries.size()) - 1;
+  }
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (std::size_t c = 0; c < index.size(); ++c) {
-    for (int d = 0; d < 27; ++d) {
-      const std::int32_t other = d == 13 ? static_cast<std::int32_t>(c) : index.find(moved(index.key(c), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
-      if (other < static_cast<std::int32_t>(c)) continue;
-      for (const std::uint32_t a : index.items(c)) {
-        for (const std::uint32_t b : index.items(static_cast<std::size_t>(other))) {
-          const std::int32_t p = present[a].second, q = present[b].second;
-          if (p != q) pairs.emplace_back(std::min(p, q), std::max(p, q));
+  for (std::size_t c = 0; c < grid.count(); ++c) {
+    if (head[c] < 0) continue;
+    for (std::size_t k = kSelf; k < kNeighbours; ++k) {  // the other half meets this cube from its own side
+      const std::int32_t other = grid.neighbours[c][k];
+      if (other < 0) continue;
+      for (std::int32_t a = head[c]; a >= 0; a = entries[a].next) {
+        for (std::int32_t b = head[other]; b >= 0; b = entries[b].next) {
+          const std::int32_t p = entries[a].region, q = entries[b].region;
+          const std::pair pair(std::min(p, q), std::max(p, q));
+          if (p != q && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
         }
       }
     }

@@ -1,81 +1,173 @@
-#include "assign.hpp"
-
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <cmath>
 
 #include "parallel.hpp"
+#include "slots.hpp"
 
 namespace scenelore::perception {
 namespace {
-
-/// Regions with points in each cell: distinct numbers, rising.
-struct Present {
-  std::vector<std::uint32_t> starts;
-  std::vector<std::int32_t> regions;
-};
-
-Present regions_in_cells(const CellIndex& cells, const std::vector<std::int32_t>& of_point) {
-  Present present;
-  present.starts.push_back(0);
-  std::vector<std::int32_t> here;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    here.clear();
-    for (const std::uint32_t i : cells.items(c)) {
-      const std::int32_t r = of_point[i];
-      if (r >= 0 && std::find(here.begin(), here.end(), r) == here.end()) here.push_back(r);
-    }
-    std::sort(here.begin(), here.end());
-    present.regions.insert(present.regions.end(), here.begin(), here.end());
-    present.starts.push_back(static_cast<std::uint32_t>(present.regions.size()));
-  }
-  return present;
-}
-
-std::vector<std::int32_t> candidates(const CellIndex& cells, const Present& present, const Regions& regions, std::size_t cell) {
-  std::vector<std::int32_t> result;
-  for (int d = 0; d < 27; ++d) {
-    const std::int32_t n = cells.find(moved(cells.key(cell), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
-    if (n < 0) continue;
-    for (std::uint32_t k = present.starts[n]; k < present.starts[n + 1]; ++k) {
-      if (std::find(result.begin(), result.end(), present.regions[k]) == result.end()) result.push_back(present.regions[k]);
-    }
-  }
-  // Largest first.
-  std::sort(result.begin(), result.end(), [&](std::int32_t a, std::int32_t b) {
-    return std::pair(-regions.planes[a].count, a) < std::pair(-regions.planes[b].count, b);
-  });
-  return result;
-}
 
 constexpr double kExplained = 0.8;  // of the tolerance
 
 bool parallel(const PlaneFit& a, const PlaneFit& b) { return std::abs(a.normal.dot(b.normal)) > 0.94; }  // 20 degrees
 
-}  // namespace
+/// A candidate's distance in its units, as a function of the fixed coordinates in the voxel. Single precision is good to
+/// 10 nm there.
+struct Ruler {
+  float a = 0, b = 0, c = 0, e = 0;
+  float reach = 0;  // in units
 
-void assign_points(const Cloud& cloud, const CellIndex& cells, const Limits& limits, bool only_free, int threads, Regions& regions) {
-  const Present present = regions_in_cells(cells, regions.of_point);
-  std::vector<double> per_tolerance(regions.planes.size());
-  for (std::size_t r = 0; r < per_tolerance.size(); ++r) per_tolerance[r] = 1 / tolerance(regions.planes[r], limits);
-  parallel_pieces(cells.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const std::vector<std::int32_t> near = candidates(cells, present, regions, c);
-      for (const std::uint32_t i : cells.items(c)) {
-        if (only_free && regions.of_point[i] >= 0) continue;
-        const Eigen::Vector3d p = cloud.offset(i).cast<double>();
-        double best = 1;
-        std::int32_t owner = -1;
-        for (const std::int32_t r : near) {
-          const double d = std::abs(regions.planes[r].distance(p)) * per_tolerance[r];
-          if (d >= best) continue;
-          // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
-          if (owner >= 0 && best < kExplained && parallel(regions.planes[r], regions.planes[owner])) continue;
-          best = d, owner = r;
-        }
-        regions.of_point[i] = owner;
+  [[nodiscard]] float distance(float x, float y, float z) const { return std::abs(a * x + b * y + c * z + e); }
+};
+
+Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double step, double unit, double reach) {
+  const Eigen::Vector3d n = plane.normal * (step / unit);
+  const double e = plane.distance(corner + Eigen::Vector3d::Constant(step / 2)) / unit;
+  return {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()), static_cast<float>(e), static_cast<float>(reach / unit)};
+}
+
+/// The slots of all voxels, without their points.
+Slots layout(const VoxelGrid& grid, const Candidates& candidates, const std::vector<bool>& only, std::size_t planes, const Slots* before) {
+  Slots slots;
+  slots.first.reserve(grid.count() + 1);
+  const auto add = [&](std::size_t v, std::int32_t region, std::int32_t ruler) {
+    slots.voxel.push_back(static_cast<std::uint32_t>(v));
+    slots.region.push_back(region);
+    slots.ruler.push_back(ruler);
+  };
+  for (std::size_t v = 0; v < grid.count(); ++v) {
+    slots.first.push_back(static_cast<std::uint32_t>(slots.voxel.size()));
+    if (only.empty() || only[v]) {
+      for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k) add(v, candidates.regions[k], candidates.regions[k]);
+      add(v, -1, -1);
+    } else {
+      for (std::uint32_t s = before->first[v]; s < before->first[v + 1]; ++s) {
+        add(v, before->region[s], before->ruler[s] < 0 ? -1 : static_cast<std::int32_t>(planes) + before->ruler[s]);
       }
     }
+  }
+  slots.first.push_back(static_cast<std::uint32_t>(slots.voxel.size()));
+  slots.moments.resize(slots.count());
+  return slots;
+}
+
+class Assigner {
+ public:
+  Assigner(const Cloud& cloud, const VoxelisedCloud& voxels, const std::vector<PlaneFit>& planes, const AssignRule& rule, Slots& slots)
+      : cloud_(cloud), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), scale_(voxels.grid.size) {}
+
+  void prepare(int threads) {
+    rulers_.resize(slots_.count());
+    const double step = voxels_.grid.size / kFixedSteps;
+    parallel_pieces(slots_.count(), 8192, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        const std::int32_t r = slots_.region[s];
+        if (r >= 0) rulers_[s] = make_ruler(planes_[r], voxels_.grid.corner(slots_.voxel[s]), step, rule_.unit[r], rule_.reach[r]);
+      }
+    });
+  }
+
+  /// Slot of a point of this voxel.
+  std::uint32_t choose(std::uint32_t first, std::uint32_t none, float x, float y, float z) const {
+    std::uint32_t owner = none;
+    float best = 0;
+    for (std::uint32_t s = first; s < none; ++s) {
+      const Ruler& ruler = rulers_[s];
+      const float d = ruler.distance(x, y, z);
+      if (!(d < ruler.reach)) continue;
+      if (owner != none) {
+        if (d >= best) continue;
+        // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
+        if (rule_.larger_first && best < kExplained && parallel(planes_[slots_.region[s]], planes_[slots_.region[owner]])) continue;
+      }
+      best = d, owner = s;
+    }
+    return owner;
+  }
+
+  /// The first slot of a voxel mostly holds most of its points: it is found as what the others leave.
+  void run(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& slot_of_point, std::vector<FixedMoments>& sums,
+           const Slots* before) const {
+    constexpr std::int64_t mask = kFixedSteps - 1;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t v = voxels_.of_point[i];
+      if (v == kNoVoxel) {
+        slot_of_point[i] = kNoVoxel;
+        continue;
+      }
+      const std::uint32_t first = slots_.first[v], none = slots_.first[v + 1] - 1;
+      if (before != nullptr && !rule_.only[v]) {
+        slot_of_point[i] = first + (slot_of_point[i] - before->first[v]);
+        continue;
+      }
+      if (first == none) {
+        slot_of_point[i] = none;
+        continue;
+      }
+      const auto x = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.x[i])) & mask);
+      const auto y = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.y[i])) & mask);
+      const auto z = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.z[i])) & mask);
+      const std::uint32_t s = choose(first, none, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+      slot_of_point[i] = s;
+      if (s != first) sums[s].add(x, y, z);
+    }
+  }
+
+ private:
+  const Cloud& cloud_;
+  const VoxelisedCloud& voxels_;
+  const std::vector<PlaneFit>& planes_;
+  const AssignRule& rule_;
+  Slots& slots_;
+  FixedScale scale_;
+  std::vector<Ruler> rulers_;
+};
+
+}  // namespace
+
+Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
+                    const AssignRule& rule, int threads, std::vector<std::uint32_t>& slot_of_point, const Slots* before) {
+  if (rule.only.empty()) before = nullptr;
+  Slots slots = layout(voxels.grid, candidates, rule.only, planes.size(), before);
+  slots.rulers.assign(planes.begin(), planes.end());
+  slots.reach = rule.reach;
+  if (before != nullptr) {
+    slots.rulers.insert(slots.rulers.end(), before->rulers.begin(), before->rulers.end());
+    slots.reach.insert(slots.reach.end(), before->reach.begin(), before->reach.end());
+  }
+  slot_of_point.resize(cloud.size());
+  Assigner assigner(cloud, voxels, planes, rule, slots);
+  assigner.prepare(threads);
+  constexpr std::size_t kSmallest = 1 << 15;
+  const std::size_t pieces = std::clamp<std::size_t>(cloud.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
+  const std::size_t length = (cloud.size() + pieces - 1) / pieces;
+  std::vector<std::vector<FixedMoments>> sums(pieces);
+  parallel_pieces(pieces, 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      sums[p].resize(slots.count());
+      assigner.run(std::min(cloud.size(), p * length), std::min(cloud.size(), (p + 1) * length), slot_of_point, sums[p], before);
+    }
   });
+  const double step = voxels.grid.size / kFixedSteps;
+  parallel_pieces(voxels.grid.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (before != nullptr && !rule.only[v]) {
+        for (std::uint32_t k = 0; k < slots.first[v + 1] - slots.first[v]; ++k) slots.moments[slots.first[v] + k] = before->moments[before->first[v] + k];
+        continue;
+      }
+      const Eigen::Vector3d corner = voxels.grid.corner(v);
+      FixedMoments left = voxels.fixed[v];
+      for (std::uint32_t s = slots.first[v] + 1; s < slots.first[v + 1]; ++s) {
+        FixedMoments own;
+        for (const auto& part : sums) own += part[s];
+        left -= own;
+        slots.moments[s] = to_moments(own, corner, step);
+      }
+      slots.moments[slots.first[v]] = to_moments(left, corner, step);
+    }
+  });
+  return slots;
 }
 
 }  // namespace scenelore::perception

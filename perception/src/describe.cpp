@@ -91,8 +91,12 @@ double seen_share(const Outline& outline, std::span<const Eigen::Vector2d> point
   return cells == 0 ? 1.0 : static_cast<double>(seen) / static_cast<double>(cells);
 }
 
-/// Cells so wide that even the whole rectangle of the points' spread needs no more than 200,000 of them.
-double thinning_cell(const PlaneFit& fit, double wanted) { return std::max(wanted, std::sqrt(fit.spread_area() / 200'000)); }
+/// Cells so wide that even the whole rectangle of the points' spread needs no more than 200,000 of them, and that an evenly
+/// seen surface leaves next to none empty; those of sparse planes need not be wider than the outline can tell.
+double thinning_cell(const PlaneFit& fit, std::size_t points, const DescribeOptions& options) {
+  const double area = fit.spread_area(), holding_four = 2 * std::sqrt(area / static_cast<double>(std::max<std::size_t>(points, 1)));
+  return std::max({options.hull_cell, std::sqrt(area / 200'000), std::min(holding_four, options.hull_radius / 3)});
+}
 
 }  // namespace
 
@@ -107,11 +111,11 @@ Plane describe(const Cloud& cloud, std::span<const std::uint32_t> points, const 
   plane.orientation = Eigen::Quaterniond(frame.axes).normalized();
   std::vector<Eigen::Vector2d> flat(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) flat[k] = frame.flat(cloud.offset(points[k]).cast<double>());
-  const double cell = thinning_cell(fit, options.hull_cell);
-  const bool many = static_cast<double>(points.size()) > 4 * fit.spread_area() / (cell * cell);
-  const std::vector<Eigen::Vector2d> sites = many || points.size() > 5000 ? thinned(flat, cell) : flat;
-  const Outline outline = alpha_hull(sites, std::max(options.hull_radius, 2 * cell));
-  const Rectangle rectangle = minimum_rectangle(outline.outer.empty() ? std::span(sites) : std::span(outline.outer));
+  const double cell = thinning_cell(fit, points.size(), options);
+  const double radius = std::max(options.hull_radius, 3 * cell);
+  const OutlineSites sites = points.size() < 300 ? OutlineSites{flat, {}} : outline_sites(flat, cell, radius);
+  const Outline outline = alpha_hull(sites.points, radius, sites.weights);
+  const Rectangle rectangle = minimum_rectangle(outline.outer.empty() ? std::span<const Eigen::Vector2d>(sites.points) : std::span<const Eigen::Vector2d>(outline.outer));
   plane.hull.outer = lifted(outline.outer, frame, cloud.origin);
   for (const Ring2& hole : outline.holes) plane.hull.holes.push_back(lifted(hole, frame, cloud.origin));
   plane.area_m2 = outline.area;

@@ -5,37 +5,24 @@
 #include <iterator>
 
 #include "absorb.hpp"
-#include "assign.hpp"
 #include "clutter.hpp"
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
 #include "part_outlines.hpp"
-#include "promises.hpp"
 #include "scale.hpp"
 #include "thin_objects.hpp"
+#include "transfer.hpp"
 
 namespace scenelore::perception {
 namespace {
 
 constexpr int kLevels = 3;              // voxels of 1, 2 and 4 times the finest size
-constexpr int kRounds = 3;              // of merging and assigning; later ones change next to nothing
 constexpr double kFewestToGrow = 12;    // points of a region while it is still growing
+constexpr std::int64_t kSampled = 32;   // points of a voxel that thin objects and outlines are judged by
 
-/// Regions of one level become regions of points: those of the voxel that lie near enough to its plane.
-void take_points(const Cloud& cloud, const VoxelGrid& grid, const Growth& growth, const Limits& limits, Regions& regions) {
-  const auto first = static_cast<std::int32_t>(regions.planes.size());
-  for (std::size_t v = 0; v < grid.count(); ++v) {
-    const std::int32_t r = growth.region_of_voxel[v];
-    if (r < 0) continue;
-    const PlaneFit& plane = growth.regions[static_cast<std::size_t>(r)];
-    const double reach = tolerance(plane, limits);
-    for (const std::uint32_t i : grid.cells.items(v)) {
-      if (std::abs(plane.distance(cloud.offset(i).cast<double>())) <= reach) regions.of_point[i] = first + r;
-    }
-  }
-  regions.planes.insert(regions.planes.end(), growth.regions.begin(), growth.regions.end());
-}
+/// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
+constexpr double kCoarsestForThings = 0.5;
 
 /// The planes that hold points, most points first.
 std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
@@ -45,56 +32,129 @@ std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
   return result;
 }
 
+/// One segmentation under way.
+class Finder {
+ public:
+  Finder(const Cloud& cloud, const SegmentationParameters& parameters, int threads)
+      : cloud_(cloud), threads_(threads), voxels_(voxelise_to_scale(cloud, threads)) {
+    found_.voxel = voxels_.scale.voxel;
+    found_.spacing = voxels_.scale.spacing;
+    grow_finest(parameters);
+    pyramid_ = make_pyramid(voxels_.grid, threads);
+  }
+
+  FoundRegions run(const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z);
+
+ private:
+  void grow_finest(const SegmentationParameters& parameters);
+  void grow_coarser();
+  void assign();
+  template <typename Judge>
+  void transfer(const PointSample& sample, bool old_ones_too, Judge judge) {
+    transfer_from_sample(cloud_, voxels_, sample, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
+  }
+
+  const Cloud& cloud_;
+  int threads_;
+  ScaledCloud voxels_;
+  FoundRegions found_;
+  std::vector<LocalSurface> surfaces_;  // of the finest voxels
+  Pyramid pyramid_;
+  Slots slots_;
+  std::vector<PlaneFit> planes_;
+  std::vector<std::uint32_t> slot_of_point_;
+};
+
+void Finder::grow_finest(const SegmentationParameters& parameters) {
+  surfaces_ = local_surfaces(voxels_.grid, threads_);
+  const NoiseMap noise = estimate_noise(voxels_.grid, surfaces_, threads_);
+  found_.noise = noise.typical;
+  found_.limits = derive_limits(parameters, voxels_.scale, noise);
+  Growth growth = grow_regions(voxels_.grid, surfaces_, noise, kFewestToGrow);
+  slots_ = slots_of_voxels(voxels_.grid, growth.region_of_voxel);
+  planes_ = std::move(growth.regions);
+}
+
+/// What is sparse at one scale is a surface at a wider one: grows regions from the points that no plane has yet. A finest
+/// voxel's free points are taken together, by the plane of its cube or of one beside it.
+void Finder::grow_coarser() {
+  Coarser free;
+  std::vector<std::uint32_t> cube;     // of each finest voxel, on the level at hand
+  std::vector<Moments> left(voxels_.grid.count());
+  const auto none = [&](std::size_t v) { return slots_.first[v + 1] - 1; };
+  for (int level = 1; level < kLevels; ++level) {
+    for (std::size_t v = 0; v < left.size(); ++v) left[v] = slots_.region[none(v)] < 0 ? slots_.moments[none(v)] : Moments();
+    free = coarsened(voxels_.grid, left, threads_);
+    cube = free.parent;
+    for (int wider = 1; wider < level; ++wider) {
+      Coarser next = coarsened(free.grid, free.grid.moments, threads_);
+      for (std::uint32_t& c : cube) {
+        if (c != kNoVoxel) c = next.parent[c];
+      }
+      free = std::move(next);
+    }
+    const std::vector<LocalSurface> surfaces = local_surfaces(free.grid, threads_);
+    const NoiseMap noise = estimate_noise(free.grid, surfaces, threads_);
+    const Growth growth = grow_regions(free.grid, surfaces, noise, kFewestToGrow);
+    const auto first = static_cast<std::int32_t>(planes_.size());
+    planes_.insert(planes_.end(), growth.regions.begin(), growth.regions.end());
+    for (std::size_t v = 0; v < left.size(); ++v) {
+      if (cube[v] == kNoVoxel) continue;
+      double best = 0.5;  // of the tolerance, which is three or four deviations
+      for (const std::int32_t n : free.grid.neighbours[cube[v]]) {
+        const std::int32_t r = n < 0 ? -1 : growth.region_of_voxel[static_cast<std::size_t>(n)];
+        if (r < 0) continue;
+        const PlaneFit& plane = growth.regions[static_cast<std::size_t>(r)];
+        const double d = std::sqrt(left[v].mean_squared_distance(plane)) / tolerance(plane, found_.limits);
+        if (d < best) best = d, slots_.region[none(v)] = first + r;
+      }
+    }
+  }
+  refit(slots_, planes_);
+}
+
+/// A pass over the points: each goes to the nearest of the planes around it.
+void Finder::assign() {
+  AssignRule rule;
+  rule.unit = rule.reach = tolerances(planes_, found_.limits);
+  const Candidates candidates = candidates_around(voxels_.grid, slots_, planes_, rule.reach, found_.limits.max_neighbours, threads_);
+  slots_ = assign_points(cloud_, voxels_, candidates, planes_, rule, threads_, slot_of_point_);
+  refit(slots_, planes_);
+}
+
+FoundRegions Finder::run(const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z) {
+  const double third = found_.limits.max_plane_distance / 3;
+  assign();
+  grow_coarser();
+  for (int round = 0; round < 2; ++round) {
+    merge_regions(pyramid_, third, slots_, planes_);
+    absorb_fragments(pyramid_, found_.limits, slots_, planes_);
+    assign();
+  }
+  merge_regions(pyramid_, third, slots_, planes_);
+  absorb_fragments(pyramid_, found_.limits, slots_, planes_);
+  bridge_shadows(third, kLargePlane, slots_, planes_);
+  drop_clutter(voxels_.grid, surfaces_, slots_, planes_);
+  assign();  // what clutter held may belong to what is left
+  found_.upright = estimate_upright(cloud_, by_size(planes_), up, floor_z);
+  const std::size_t supports = planes_.size();
+  const PointSample sample = take_sample(cloud_, voxels_, kSampled, threads_);
+  const bool in_detail = found_.voxel < kCoarsestForThings;
+  if (in_detail) transfer(sample, true, [&](Regions& regions) { split_thin_objects(sample.cloud, found_.upright, found_.limits, regions); });
+  join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
+  if (in_detail) transfer(sample, false, [&](Regions& regions) { part_outlines(sample.cloud, regions); });
+  separate_parts(cloud_, voxels_, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  static_cast<Settled&>(found_) =
+      keep_promises(cloud_, voxels_, sample, slots_, planes_.size(), found_.limits, threads_, std::move(slot_of_point_));
+  return std::move(found_);
+}
+
 }  // namespace
 
 FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads,
                           const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z) {
   check(parameters);
-  FoundRegions found;
-  const Scale scale = estimate_scale(cloud, threads);
-  found.voxel = scale.voxel;
-  found.spacing = scale.spacing;
-  Regions& regions = found.regions;
-  regions.of_point.assign(cloud.size(), -1);
-  double size = scale.voxel;
-  CellIndex cells;                     // the finest voxels, of all points
-  std::vector<LocalSurface> finest;    // their surroundings
-  for (int level = 0; level < kLevels; ++level, size *= 2) {
-    VoxelGrid grid = make_voxel_grid(cloud, size, regions.of_point, threads);
-    std::vector<LocalSurface> surfaces = local_surfaces(grid, threads);
-    const NoiseMap noise = estimate_noise(grid, surfaces, threads);
-    if (level == 0) {
-      found.noise = noise.typical;
-      found.limits = derive_limits(parameters, scale, noise);
-    }
-    const Growth growth = grow_regions(grid, surfaces, noise, kFewestToGrow);
-    take_points(cloud, grid, growth, found.limits, regions);
-    if (level == 0) {
-      cells = std::move(grid.cells);
-      finest = std::move(surfaces);
-    }
-    refit(cloud, regions);
-    // What growing left along the edges must not become regions of its own on the next level.
-    assign_points(cloud, cells, found.limits, true, threads, regions);
-  }
-  for (int round = 0; round < kRounds; ++round) {
-    refit(cloud, regions);
-    merge_regions(cloud, cells, 2, found.limits.max_plane_distance / 3, regions);
-    absorb_fragments(cloud, cells, found.limits, regions);
-    assign_points(cloud, cells, found.limits, false, threads, regions);
-  }
-  refit(cloud, regions);
-  bridge_shadows(cloud, cells, 6, found.limits.max_plane_distance / 3, kLargePlane, regions);
-  drop_clutter(cloud, cells, finest, scale.voxel, regions);
-  assign_points(cloud, cells, found.limits, true, threads, regions);  // what clutter held may belong to what is left
-  refit(cloud, regions);
-  found.upright = estimate_upright(cloud, by_size(regions.planes), up, floor_z);
-  const std::size_t supports = regions.planes.size();
-  split_thin_objects(cloud, found.upright, found.limits, regions);
-  join_level_pieces(cloud, cells, 3, found.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, regions);
-  part_outlines(cloud, regions);
-  keep_promises(cloud, found.limits, threads, regions);
-  return found;
+  return Finder(cloud, parameters, threads).run(up, floor_z);
 }
 
 }  // namespace scenelore::perception

@@ -1,14 +1,13 @@
 // The steps of segmentation, shared by segment() and perceive().
 #pragma once
 
-#include "regions.hpp"
+#include "promises.hpp"
 #include "scenelore/perception/parameters.hpp"
 #include "scenelore/perception/upright.hpp"
 
 namespace scenelore::perception {
 
-struct FoundRegions {
-  Regions regions;
+struct FoundRegions : Settled {
   Limits limits;
   Upright upright;
   double voxel = 0, spacing = 0, noise = 0;  ///< metres
@@ -18,6 +17,5 @@ struct FoundRegions {
 /// Throws Error for a parameter out of range.
 [[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads,
                                         const std::optional<Eigen::Vector3d>& up = {}, const std::optional<double>& floor_z = {});
-
 
 }  // namespace scenelore::perception

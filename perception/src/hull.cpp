@@ -72,14 +72,19 @@ Part mark_parts(Delaunay& triangulation, double radius) {
   return best;
 }
 
-/// Share of the vertices on a face of the part.
-double covered(const Delaunay& triangulation, int part) {
+/// Share of the vertices, by weight, on a face of the part.
+double covered(const Delaunay& triangulation, int part, const std::vector<double>& weight) {
   std::vector<bool> held(triangulation.number_of_vertices(), false);
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
     if (f->info() != part) continue;
     for (int i = 0; i < 3; ++i) held[static_cast<std::size_t>(f->vertex(i)->info())] = true;
   }
-  return static_cast<double>(std::count(held.begin(), held.end(), true)) / static_cast<double>(held.size());
+  double inside = 0, all = 0;
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    all += weight[v];
+    if (held[v]) inside += weight[v];
+  }
+  return inside / all;
 }
 
 /// Edges of the part's faces towards anything else, the part on their left.
@@ -96,29 +101,40 @@ std::vector<std::pair<int, int>> border(const Delaunay& triangulation, int part)
 
 }  // namespace
 
-Outline alpha_hull(std::span<const Eigen::Vector2d> points, double radius) {
-  std::vector<Kernel::Point_2> sites;
-  for (const Eigen::Vector2d& p : points) {
-    if (p.allFinite()) sites.emplace_back(p.x(), p.y());
+Outline alpha_hull(std::span<const Eigen::Vector2d> points, double radius, std::span<const double> weights) {
+  std::vector<std::pair<Kernel::Point_2, double>> weighted;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].allFinite()) weighted.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), weights.empty() ? 1.0 : weights[i]);
   }
   // Sorted: the triangulation of points on a circle depends on their order otherwise.
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  std::sort(weighted.begin(), weighted.end());
+  std::vector<Kernel::Point_2> sites;
+  std::vector<double> weight_of_site;
+  for (const auto& [site, weight] : weighted) {
+    if (!sites.empty() && sites.back() == site) {
+      if (!weights.empty()) weight_of_site.back() += weight;
+    } else {
+      sites.push_back(site);
+      weight_of_site.push_back(weight);
+    }
+  }
   Outline outline;
   Delaunay triangulation(sites.begin(), sites.end());
   if (triangulation.dimension() < 2) return outline;
   std::vector<Eigen::Vector2d> corner(triangulation.number_of_vertices());
+  std::vector<double> weight(corner.size());
   int next = 0;
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
     v->info() = next;
-    corner[static_cast<std::size_t>(next++)] = {v->point().x(), v->point().y()};
+    corner[static_cast<std::size_t>(next)] = {v->point().x(), v->point().y()};
+    weight[static_cast<std::size_t>(next++)] = weight_of_site[static_cast<std::size_t>(std::lower_bound(sites.begin(), sites.end(), v->point()) - sites.begin())];
   }
   Part part;
   for (int raised = 0; raised <= 6; ++raised, radius *= 1.4) {
     part = mark_parts(triangulation, radius);
     outline.radius = radius;
     if (part.number < 0) continue;
-    outline.covered = covered(triangulation, part.number);
+    outline.covered = covered(triangulation, part.number, weight);
     if (outline.covered >= 0.95) break;
   }
   if (part.number < 0) return outline;

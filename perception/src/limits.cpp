@@ -21,7 +21,7 @@ void check_count(const std::optional<int>& value, const char* name, int lowest) 
   }
 }
 
-constexpr double kPointDistanceVoxels = 12;  // 60 cm at the usual voxel: the shadow of a chair on the floor
+constexpr double kPointDistanceVoxels = 32;  // 1.6 m at the usual voxel: the shadow of a cabinet on the wall behind it
 constexpr double kSmallStepVoxels = 6;       // 30 cm: that of a screen on a table, but not the way between two tables
 constexpr double kFewestPoints = 20;        // of a keyboard at 3 m
 constexpr int kComparisons = 30;

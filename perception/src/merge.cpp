@@ -1,10 +1,9 @@
 #include "merge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
-
-#include "adjacency.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -26,26 +25,36 @@ double joint_deviation(const Moments& a, const Moments& b, double noise) {
 
 constexpr double kMostDeviation = 1.25;
 
-template <typename Allowed>
-void merge_where(const Cloud& cloud, const CellIndex& cells, int reach, double noise, Allowed allowed, Regions& regions) {
-  const std::size_t count = regions.planes.size();
-  std::vector<Moments> moments(count);
-  for (std::size_t i = 0; i < regions.of_point.size(); ++i) {
-    if (regions.of_point[i] >= 0) moments[static_cast<std::size_t>(regions.of_point[i])].add(cloud.x[i], cloud.y[i], cloud.z[i]);
-  }
-  std::vector<std::int32_t> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t r) {
-    while (parent[r] != r) r = parent[r] = parent[parent[r]];
+/// Trees of regions that have become one; the smallest number stands for all.
+class Joined {
+ public:
+  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::int32_t root(std::int32_t r) {
+    while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
     return r;
-  };
-  const std::vector<Pair> pairs = touching_regions(cells, reach, regions.of_point);
+  }
+  void join(std::int32_t a, std::int32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
+  void rename(Slots& slots) {
+    for (std::int32_t& r : slots.region) {
+      if (r >= 0) r = root(r);
+    }
+  }
+
+ private:
+  std::vector<std::int32_t> parent_;
+};
+
+template <typename Allowed>
+void merge_where(const std::vector<Pair>& pairs, double noise, Allowed allowed, Slots& slots, std::vector<PlaneFit>& planes) {
+  const std::size_t count = planes.size();
+  std::vector<Moments> moments = moments_of_regions(slots, count);
+  Joined joined(count);
   for (bool changed = true; changed;) {
     changed = false;
     // The best joins first: a wrong one spoils the plane that later ones are judged by.
     std::vector<std::pair<double, Pair>> scored;
     for (const Pair& pair : pairs) {
-      const std::int32_t a = root(pair.first), b = root(pair.second);
+      const std::int32_t a = joined.root(pair.first), b = joined.root(pair.second);
       if (a == b || moments[a].n < 3 || moments[b].n < 3 || !allowed(moments[a], moments[b])) continue;
       const double deviation = joint_deviation(moments[a], moments[b], noise);
       if (deviation < kMostDeviation) scored.emplace_back(deviation, Pair{std::min(a, b), std::max(a, b)});
@@ -57,52 +66,55 @@ void merge_where(const Cloud& cloud, const CellIndex& cells, int reach, double n
       // One join a region and round; the rest is scored again with the joined planes.
       if (touched[a] || touched[b]) continue;
       touched[a] = touched[b] = true;
-      parent[b] = a;
+      joined.join(a, b);
       moments[a] += moments[b];
       changed = true;
     }
   }
-  for (std::int32_t& r : regions.of_point) {
-    if (r >= 0) r = root(r);
-  }
-  for (std::size_t r = 0; r < count; ++r) regions.planes[r] = fit_plane(parent[r] == static_cast<std::int32_t>(r) ? moments[r] : Moments());
+  joined.rename(slots);
+  for (std::size_t r = 0; r < count; ++r) planes[r] = fit_plane(joined.root(static_cast<std::int32_t>(r)) == static_cast<std::int32_t>(r) ? moments[r] : Moments());
 }
 
 }  // namespace
 
-void merge_regions(const Cloud& cloud, const CellIndex& cells, int reach, double noise, Regions& regions) {
-  merge_where(cloud, cells, reach, noise, [](const Moments&, const Moments&) { return true; }, regions);
+void merge_regions(const Pyramid& pyramid, double noise, Slots& slots, std::vector<PlaneFit>& planes) {
+  merge_where(touching_regions(pyramid, slots, 1), noise, [](const Moments&, const Moments&) { return true; }, slots, planes);
 }
 
-void bridge_shadows(const Cloud& cloud, const CellIndex& cells, int reach, double noise, double smallest, Regions& regions) {
-  const auto in_line = [smallest](const Moments& a, const Moments& b) {
-    const PlaneFit p = fit_plane_fast(a), q = fit_plane_fast(b);
-    return std::max(p.spread_area(), q.spread_area()) >= smallest && std::abs(p.normal.dot(q.normal)) > 0.985;  // 10 degrees
+void bridge_shadows(double noise, double smallest, Slots& slots, std::vector<PlaneFit>& planes) {
+  constexpr double kInLine = 0.985;      // cosine of 10 degrees
+  std::vector<Pair> pairs;
+  for (std::size_t a = 0; a < planes.size(); ++a) {
+    if (planes[a].count <= 0 || planes[a].spread_area() < smallest) continue;
+    for (std::size_t b = 0; b < planes.size(); ++b) {
+      if (a == b || planes[b].count <= 0 || std::abs(planes[a].normal.dot(planes[b].normal)) < kInLine) continue;
+      // The larger plane goes on past the smaller one's middle.
+      if (std::abs(planes[a].distance(planes[b].centroid)) > 4 * std::max(noise, planes[a].rmse())) continue;
+      pairs.emplace_back(static_cast<std::int32_t>(std::min(a, b)), static_cast<std::int32_t>(std::max(a, b)));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const auto in_line = [](const Moments& a, const Moments& b) {
+    return std::abs(fit_plane_fast(a).normal.dot(fit_plane_fast(b).normal)) > kInLine;
   };
-  merge_where(cloud, cells, reach, noise, in_line, regions);
+  merge_where(pairs, noise, in_line, slots, planes);
 }
 
-void join_level_pieces(const Cloud& cloud, const CellIndex& cells, int reach, const Eigen::Vector3d& up, std::size_t count, Regions& regions) {
+void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::size_t count, Slots& slots, std::vector<PlaneFit>& planes) {
   constexpr double kSameHeight = 0.007;  // metres; what lies on a table is at least 9 mm higher
   constexpr double kKeyboard = 0.12;     // m²; thin things smaller than this stay what they are
   const auto level = [&](const PlaneFit& plane) { return plane.count > 0 && std::abs(plane.normal.dot(up)) > 0.9945; };
-  std::vector<std::int32_t> parent(regions.planes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t r) {
-    while (parent[r] != r) r = parent[r] = parent[parent[r]];
-    return r;
-  };
-  for (const auto& [first, second] : touching_regions(cells, reach, regions.of_point)) {
-    const PlaneFit &a = regions.planes[first], &b = regions.planes[second];
+  Joined joined(planes.size());
+  for (const auto& [first, second] : touching_regions(pyramid, slots, 2)) {
+    const PlaneFit &a = planes[first], &b = planes[second];
     if (static_cast<std::size_t>(second) >= count && b.spread_area() < kKeyboard) continue;
     if (!level(a) || !level(b) || std::abs(up.dot(a.centroid - b.centroid)) > kSameHeight) continue;
-    const std::int32_t p = root(first), q = root(second);
-    parent[std::max(p, q)] = std::min(p, q);
+    const std::int32_t p = joined.root(first), q = joined.root(second);
+    if (p != q) joined.join(p, q);
   }
-  for (std::int32_t& r : regions.of_point) {
-    if (r >= 0) r = root(r);
-  }
-  refit(cloud, regions);
+  joined.rename(slots);
+  refit(slots, planes);
 }
 
 }  // namespace scenelore::perception

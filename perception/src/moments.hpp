@@ -42,7 +42,16 @@ struct Moments {
 /// Total least squares; accurate, for the planes themselves. Zero points give the default plane with count 0.
 [[nodiscard]] PlaneFit fit_plane(const Moments& moments);
 
-/// The same by the closed form of the eigenvalues: several times faster, good to about 1e-8 of the extent squared.
+/// What judging a neighbourhood needs: normal, smallest and middle eigenvalue of the covariance. Newton's method from
+/// below finds the smallest root of the characteristic polynomial of a flat set in a few steps, without trigonometry.
+/// Points on a line give some normal across it; equal points give z.
+struct FlatFit {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double across = 0, along = 0;  ///< m²
+};
+[[nodiscard]] FlatFit fit_flat(const Moments& moments);
+
+/// fit_plane() by the closed form of the eigenvalues: several times faster, good to about 1e-8 of the extent squared.
 [[nodiscard]] PlaneFit fit_plane_fast(const Moments& moments);
 
 }  // namespace scenelore::perception

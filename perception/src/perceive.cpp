@@ -52,6 +52,16 @@ void warn(const Cloud& cloud, Perception& result) {
   }
 }
 
+/// Φ from the points in the sample; what counts points counts them all.
+Plane describe_sampled(const Cloud& cloud, std::span<const std::uint32_t> sampled, const PlaneFit& fit, const Upright& upright,
+                       const DescribeOptions& options) {
+  Plane plane = describe(cloud, sampled, fit, upright, options);
+  const double whole = fit.count / std::max(1.0, static_cast<double>(sampled.size()));
+  plane.point_count = static_cast<std::size_t>(std::llround(fit.count));
+  plane.point_density *= whole;
+  return plane;
+}
+
 }  // namespace
 
 Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
@@ -62,11 +72,11 @@ Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   result.spacing = found.spacing;
   result.noise = found.noise;
   result.upright = found.upright;
-  const auto points = points_of_regions(found.regions.of_point, found.regions.planes.size());
+  const auto& points = found.sampled;
   result.planes.resize(points.size());
   const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.small_plane_step / 2)};
   parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) result.planes[p] = describe(cloud, points[p], found.regions.planes[p], result.upright, describing);
+    for (std::size_t p = begin; p < end; ++p) result.planes[p] = describe_sampled(cloud, points[p], found.regions.planes[p], result.upright, describing);
   });
   result.plane_of_point = std::move(found.regions.of_point);
   warn(cloud, result);

@@ -8,13 +8,16 @@
 #include "cell_index.hpp"
 #include "connect.hpp"
 #include "parallel.hpp"
+#include "voxel_parts.hpp"
 
 namespace scenelore::perception {
 namespace {
 
+/// A plane of the result: whole slots of a region, or points where slots were not enough.
 struct Part {
-  std::vector<std::uint32_t> points;
+  std::vector<std::uint32_t> slots, points;
   PlaneFit plane;
+  std::vector<std::uint32_t> sampled;
 };
 
 /// Leaves the points within the tolerance of the plane; true when that were all.
@@ -24,9 +27,13 @@ bool trim(const Cloud& cloud, const PlaneFit& plane, double limit, std::vector<s
   return points.size() == before;
 }
 
-constexpr double kNarrowest = 0.08;  // metres; edges of tables and door frames are no planes of their own
+constexpr double kNarrowest = 0.11;  // metres; edges of tables and door frames are no planes of their own
 constexpr double kThinnest = 0.12;   // rmse over width
 constexpr double kFilled = 0.5;      // share of the rectangle of its spread that a plane must fill
+
+double step_of(const PlaneFit& plane, const Limits& limits) {
+  return plane.spread_area() < kLargePlane ? limits.small_plane_step : limits.max_point_distance;
+}
 
 /// Legs, frames and leftovers: sets of points that are flat, but no surface. Measured in cells wide enough to hold four
 /// points of an evenly seen surface, of which then 98 % are occupied.
@@ -43,8 +50,8 @@ bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const P
   return static_cast<double>(CellIndex(keys).size()) * cell * cell < kFilled * area;
 }
 
-/// Works off a stack of candidate sets; each step only ever removes or separates points, so it ends.
-std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<std::uint32_t> first) {
+/// Works off a stack of candidate sets of points; each step only ever removes or separates points, so it ends.
+std::vector<Part> settle_points(const Cloud& cloud, const Limits& limits, std::vector<std::uint32_t> first) {
   std::vector<Part> done;
   std::vector<std::vector<std::uint32_t>> open;
   open.push_back(std::move(first));
@@ -61,10 +68,9 @@ std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<s
       continue;
     }
     if (plane.variances[0] > limits.max_mse) continue;
-    const double step = plane.spread_area() < kLargePlane ? limits.small_plane_step : limits.max_point_distance;
-    auto parts = connected_parts(cloud, points, plane, step, limits.max_neighbours);
+    auto parts = connected_parts(cloud, points, plane, step_of(plane, limits), limits.max_neighbours);
     if (parts.size() == 1 && parts.front().size() == points.size()) {
-      if (!is_scrap(cloud, points, plane)) done.push_back({std::move(points), plane});
+      if (!is_scrap(cloud, points, plane)) done.push_back({{}, std::move(points), plane, {}});
     } else {
       for (auto& part : parts) open.push_back(std::move(part));
     }
@@ -72,26 +78,224 @@ std::vector<Part> settle(const Cloud& cloud, const Limits& limits, std::vector<s
   return done;
 }
 
+constexpr double kOwnShare = 0.4;    // of the points of its voxels that a plane must hold
+constexpr double kExactness = 1e-3;  // slots prove a limit when they keep this share of it free, far beyond rounding
+
+/// Whether no point of the slots can be further from the plane than allowed: they were measured with another plane, from
+/// which this one differs by so much at the corners of their voxels.
+bool surely_within(const VoxelGrid& grid, const Slots& slots, std::span<const std::uint32_t> members, const PlaneFit& plane, double limit) {
+  for (const std::uint32_t s : members) {
+    if (slots.ruler[s] < 0) return false;
+    const PlaneEquation& ruler = slots.rulers[slots.ruler[s]];
+    const double sign = ruler.normal.dot(plane.normal) < 0 ? -1 : 1;
+    const Eigen::Vector3d turned = plane.normal - sign * ruler.normal, center = grid.center(slots.voxel[s]);
+    const double moved = std::abs(plane.distance(center) - sign * ruler.distance(center)) + grid.size / 2 * turned.cwiseAbs().sum();
+    if (slots.reach[slots.ruler[s]] + moved > limit) return false;
+  }
+  return true;
+}
+
+/// The work on one region.
+struct Settling {
+  std::vector<Part> parts;                             // of whole slots
+  std::vector<std::vector<std::uint32_t>> to_points;   // sets of slots whose points must be looked at
+};
+
+Moments moments_of(const Slots& slots, std::span<const std::uint32_t> members) {
+  Moments m;
+  for (const std::uint32_t s : members) m += slots.moments[s];
+  return m;
+}
+
+/// Connected parts of a set of slots of one region, each with enough points, and by the step that its own size asks for.
+/// A part for which steps are too short to tell anything about voxels comes back whole, with `open` set.
+struct Group {
+  std::vector<std::uint32_t> members;
+  PlaneFit plane;
+  bool open = false;
+};
+
+std::vector<Group> groups_of(const VoxelGrid& grid, const Slots& slots, const Limits& limits, std::vector<std::uint32_t> first,
+                             std::vector<std::uint32_t>& place) {
+  std::vector<Group> done;
+  std::vector<std::pair<std::vector<std::uint32_t>, double>> waiting;  // with the step that connects them
+  waiting.emplace_back(std::move(first), 0.0);
+  while (!waiting.empty()) {
+    auto [members, connected_by] = std::move(waiting.back());
+    waiting.pop_back();
+    const PlaneFit plane = fit_plane(moments_of(slots, members));
+    if (plane.count < limits.min_points) continue;
+    const double step = step_of(plane, limits);
+    const bool open = step < kShortestStepVoxels * grid.size;
+    if (open || (connected_by > 0 && connected_by <= step)) {
+      done.push_back({std::move(members), plane, open});
+      continue;
+    }
+    for (std::vector<std::uint32_t>& part : connected_slots(grid, slots, members, step, place)) waiting.emplace_back(std::move(part), step);
+  }
+  return done;
+}
+
+/// Share of the points of its voxels that a set of slots holds: what is left over between the points of another plane has
+/// little.
+double share_of_voxels(const VoxelisedCloud& voxels, const Slots& slots, std::span<const std::uint32_t> members) {
+  double own = 0, all = 0;
+  for (const std::uint32_t s : members) {
+    own += slots.moments[s].n;
+    all += static_cast<double>(voxels.fixed[slots.voxel[s]].n);
+  }
+  return own / all;
+}
+
+Settling settle_slots(const VoxelisedCloud& voxels, const Slots& slots, const Limits& limits, std::vector<std::uint32_t> members,
+                      std::vector<std::uint32_t>& place) {
+  Settling result;
+  for (Group& group : groups_of(voxels.grid, slots, limits, std::move(members), place)) {
+    if (share_of_voxels(voxels, slots, group.members) < kOwnShare) continue;
+    const bool kept = !group.open && group.plane.variances[0] <= limits.max_mse * (1 - kExactness) &&
+                      surely_within(voxels.grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
+    if (kept) {
+      result.parts.push_back({std::move(group.members), {}, group.plane, {}});
+    } else {
+      result.to_points.push_back(std::move(group.members));
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std::size_t regions) {
+  std::vector<std::vector<std::uint32_t>> members(regions);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] >= 0 && slots.moments[s].n > 0) members[static_cast<std::size_t>(slots.region[s])].push_back(static_cast<std::uint32_t>(s));
+  }
+  return members;
+}
+
+/// Settles by points what slots could not: one pass collects the points of all of them.
+std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<std::vector<std::uint32_t>>& sets,
+                              std::size_t slot_count, const std::vector<std::uint32_t>& slot_of_point, int threads) {
+  std::vector<Part> result;
+  if (sets.empty()) return result;
+  std::vector<std::int32_t> set_of_slot(slot_count, -1);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    for (const std::uint32_t s : sets[k]) set_of_slot[s] = static_cast<std::int32_t>(k);
+  }
+  std::vector<std::vector<std::uint32_t>> points(sets.size());
+  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
+    if (slot_of_point[i] == kNoVoxel) continue;
+    const std::int32_t k = set_of_slot[slot_of_point[i]];
+    if (k >= 0) points[static_cast<std::size_t>(k)].push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<std::vector<Part>> settled(sets.size());
+  parallel_pieces(sets.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) settled[k] = settle_points(cloud, limits, std::move(points[k]));
+  });
+  for (auto& some : settled) std::move(some.begin(), some.end(), std::back_inserter(result));
+  return result;
+}
+
 }  // namespace
 
-void keep_promises(const Cloud& cloud, const Limits& limits, int threads, Regions& regions) {
-  auto points = points_of_regions(regions.of_point, regions.planes.size());
-  std::vector<std::vector<Part>> settled(points.size());
-  parallel_pieces(points.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) settled[r] = settle(cloud, limits, std::move(points[r]));
+void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limits& limits, int threads,
+                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+  std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, planes.size());
+  std::vector<std::vector<Group>> groups(planes.size());
+  std::vector<std::uint32_t> place(slots.count());  // every slot is in one region, so that threads do not meet here
+  parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) groups[r] = groups_of(voxels.grid, slots, limits, std::move(members[r]), place);
+  });
+  std::fill(slots.region.begin(), slots.region.end(), -1);
+  planes.clear();
+  AssignRule rule;
+  rule.only.assign(voxels.grid.count(), false);
+  bool moved = false;
+  for (const auto& some : groups) {
+    for (const Group& group : some) {
+      const bool kept = surely_within(voxels.grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
+      for (const std::uint32_t s : group.members) {
+        slots.region[s] = static_cast<std::int32_t>(planes.size());
+        if (!kept) rule.only[slots.voxel[s]] = moved = true;
+      }
+      planes.push_back(group.plane);
+    }
+  }
+  if (!moved) return;
+  rule.unit = rule.reach = tolerances(planes, limits);
+  rule.larger_first = false;
+  Candidates candidates;
+  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
+    candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+    for (std::uint32_t s = slots.first[v]; rule.only[v] && s < slots.first[v + 1]; ++s) {
+      const auto row = candidates.regions.begin() + candidates.first[v];
+      if (slots.region[s] < 0 || slots.moments[s].n <= 0 || std::find(row, candidates.regions.end(), slots.region[s]) != candidates.regions.end()) continue;
+      candidates.regions.push_back(slots.region[s]);
+    }
+  }
+  candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+  slots = assign_points(cloud, voxels, candidates, planes, rule, threads, slot_of_point, &slots);
+  refit(slots, planes);
+}
+
+Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots, std::size_t regions,
+                      const Limits& limits, int threads, std::vector<std::uint32_t> slot_of_point) {
+  std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, regions);
+  std::vector<Settling> settled(regions);
+  std::vector<std::uint32_t> place(slots.count());  // every slot is in one region, so that threads do not meet here
+  parallel_pieces(regions, 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) settled[r] = settle_slots(voxels, slots, limits, std::move(members[r]), place);
   });
   std::vector<Part> parts;
-  for (auto& some : settled) std::move(some.begin(), some.end(), std::back_inserter(parts));
-  const auto rank = [](const Part& p) {
-    return std::tuple(-static_cast<double>(p.points.size()), p.plane.centroid.x(), p.plane.centroid.y(), p.plane.centroid.z());
-  };
-  std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
-  std::fill(regions.of_point.begin(), regions.of_point.end(), -1);
-  regions.planes.clear();
-  for (const Part& part : parts) {
-    for (const std::uint32_t i : part.points) regions.of_point[i] = static_cast<std::int32_t>(regions.planes.size());
-    regions.planes.push_back(part.plane);
+  std::vector<std::vector<std::uint32_t>> to_points;
+  for (Settling& s : settled) {
+    std::move(s.parts.begin(), s.parts.end(), std::back_inserter(parts));
+    std::move(s.to_points.begin(), s.to_points.end(), std::back_inserter(to_points));
   }
+  // Points in the sample of each part of whole slots tell whether it is filled.
+  std::vector<std::int32_t> part_of_slot(slots.count(), -1);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const std::uint32_t s : parts[p].slots) part_of_slot[s] = static_cast<std::int32_t>(p);
+  }
+  for (const std::uint32_t i : sample.points) {
+    const std::int32_t p = part_of_slot[slot_of_point[i]];
+    if (p >= 0) parts[static_cast<std::size_t>(p)].sampled.push_back(i);
+  }
+  std::vector<std::uint8_t> scrap(parts.size());
+  parallel_pieces(parts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) scrap[p] = is_scrap(cloud, parts[p].sampled, parts[p].plane) ? 1 : 0;
+  });
+  for (std::size_t p = parts.size(); p-- > 0;) {
+    if (scrap[p] != 0) parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(p));
+  }
+  for (Part& part : settle_rest(cloud, limits, to_points, slots.count(), slot_of_point, threads)) parts.push_back(std::move(part));
+
+  const auto rank = [](const Part& p) { return std::tuple(-p.plane.count, p.plane.centroid.x(), p.plane.centroid.y(), p.plane.centroid.z()); };
+  std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
+  Settled result;
+  std::fill(part_of_slot.begin(), part_of_slot.end(), -1);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const std::uint32_t s : parts[p].slots) part_of_slot[s] = static_cast<std::int32_t>(p);
+    result.regions.planes.push_back(parts[p].plane);
+  }
+  result.regions.of_point.resize(cloud.size());
+  parallel_pieces(cloud.size(), 1 << 17, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.regions.of_point[i] = slot_of_point[i] == kNoVoxel ? -1 : part_of_slot[slot_of_point[i]];
+    }
+  });
+  bool whole = true;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    whole = whole && parts[p].points.empty();
+    for (const std::uint32_t i : parts[p].points) result.regions.of_point[i] = static_cast<std::int32_t>(p);
+  }
+  result.sampled.resize(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) result.sampled[p] = std::move(parts[p].sampled);
+  if (!whole) {
+    for (const std::uint32_t i : sample.points) {
+      const std::int32_t p = result.regions.of_point[i];
+      if (p >= 0 && !parts[static_cast<std::size_t>(p)].points.empty()) result.sampled[static_cast<std::size_t>(p)].push_back(i);
+    }
+  }
+  return result;
 }
 
 }  // namespace scenelore::perception

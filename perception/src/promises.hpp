@@ -1,12 +1,26 @@
 // Makes the promises of a segmentation true: connectedness, distance, mean squared error, number of points.
 #pragma once
 
-#include "regions.hpp"
+#include "sample.hpp"
+#include "slots.hpp"
 
 namespace scenelore::perception {
 
-/// Splits, trims and drops regions until every one keeps all limits, and numbers them by falling point count, ties by
-/// position. What is too narrow, too thick or too loosely filled to be a surface (edges, legs, frames) is dropped.
-void keep_promises(const Cloud& cloud, const Limits& limits, int threads, Regions& regions);
+/// What the promises leave of the regions: planes numbered by falling point count, ties by position.
+struct Settled {
+  Regions regions;
+  std::vector<std::vector<std::uint32_t>> sampled;  ///< by plane: points of the cloud that are in the sample
+};
+
+/// Makes the connected parts of each region regions of their own, and where their planes differ from those that the points
+/// were given to, gives the points to them anew.
+void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limits& limits, int threads,
+                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
+
+/// Splits, trims and drops regions until every one keeps all limits. Mostly the moments and rulers of the slots prove it;
+/// the points are looked at only where they do not. What is too narrow, too thick or too loosely filled to be a surface
+/// (edges, legs, frames) is dropped. `slot_of_point` is used up.
+[[nodiscard]] Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots,
+                                    std::size_t regions, const Limits& limits, int threads, std::vector<std::uint32_t> slot_of_point);
 
 }  // namespace scenelore::perception

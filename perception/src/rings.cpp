@@ -1,7 +1,9 @@
 #include "rings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -84,6 +86,99 @@ std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points, do
       const Eigen::Vector2d inwards(-std::cos(angle), -std::sin(angle));
       kept.push_back(least(items, [&](std::uint32_t i) { return std::tuple(inwards.dot(points[i]), points[i].x(), points[i].y()); }));
     }
+  }
+  return kept;
+}
+
+namespace {
+
+/// A rectangle of cells around points, row by row, with an empty margin.
+struct Cells {
+  Eigen::Vector2d low;
+  double cell = 1;
+  std::int64_t columns = 0, rows = 0;
+
+  [[nodiscard]] std::size_t at(const Eigen::Vector2d& p) const {
+    const auto x = static_cast<std::int64_t>((p.x() - low.x()) / cell) + 1, y = static_cast<std::int64_t>((p.y() - low.y()) / cell) + 1;
+    return static_cast<std::size_t>(y * columns + x);
+  }
+};
+
+/// Which of two points of a cell comes first, whatever order they were given in.
+struct Ranked {
+  double rank = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+
+  void offer(double r, const Eigen::Vector2d& p) {
+    if (std::tuple(r, p.x(), p.y()) < std::tuple(rank, point.x(), point.y())) rank = r, point = p;
+  }
+};
+
+}  // namespace
+
+OutlineSites outline_sites(std::span<const Eigen::Vector2d> points, double cell, double radius) {
+  OutlineSites kept;
+  if (points.empty()) return kept;
+  Cells cells{points[0], cell};
+  Eigen::Vector2d high = points[0];
+  for (const Eigen::Vector2d& p : points) cells.low = cells.low.cwiseMin(p), high = high.cwiseMax(p);
+  // Cell borders at multiples of the cell: what is kept does not depend on where the set happens to end.
+  cells.low = cell * (cells.low / cell).array().floor().matrix();
+  const double most = 16e6;
+  if (!((high - cells.low).prod() / (cell * cell) < most)) {
+    kept.points = thinned(points, cell);
+    kept.weights.assign(kept.points.size(), 1);
+    return kept;
+  }
+  cells.columns = static_cast<std::int64_t>((high.x() - cells.low.x()) / cell) + 3;
+  cells.rows = static_cast<std::int64_t>((high.y() - cells.low.y()) / cell) + 3;
+  enum : std::int32_t { kEmpty = -1, kHeld = -2, kSkipped = -3 };
+  std::vector<std::int32_t> state(static_cast<std::size_t>(cells.columns * cells.rows), kEmpty);
+  for (const Eigen::Vector2d& p : points) state[cells.at(p)] = kHeld;
+  const auto lattice = static_cast<std::int64_t>(std::max(1.0, std::floor(0.6 * radius / cell)));
+  const auto first_column = static_cast<std::int64_t>(std::llround(cells.low.x() / cell)), first_row = static_cast<std::int64_t>(std::llround(cells.low.y() / cell));
+  const auto on_lattice = [lattice](std::int64_t c) { return ((c % lattice) + lattice) % lattice == 0; };
+  std::vector<Ranked> inner;                    // of lattice cells
+  std::vector<std::array<Ranked, 8>> rim;       // in eight directions
+  std::vector<std::int32_t> place = state;      // number in `inner`, or −4 − number in `rim`
+  for (std::int64_t y = 1; y + 1 < cells.rows; ++y) {
+    for (std::int64_t x = 1; x + 1 < cells.columns; ++x) {
+      const auto c = static_cast<std::size_t>(y * cells.columns + x);
+      if (state[c] == kEmpty) continue;
+      bool surrounded = true;
+      for (std::int64_t d = 0; d < 9; ++d) surrounded = surrounded && state[static_cast<std::size_t>((y + d / 3 - 1) * cells.columns + x + d % 3 - 1)] != kEmpty;
+      if (!surrounded) {
+        place[c] = -4 - static_cast<std::int32_t>(rim.size());
+        rim.emplace_back();
+      } else if (on_lattice(x + first_column) && on_lattice(y + first_row)) {
+        place[c] = static_cast<std::int32_t>(inner.size());
+        inner.emplace_back();
+      } else {
+        place[c] = kSkipped;
+      }
+    }
+  }
+  std::array<Eigen::Vector2d, 8> inwards;
+  for (std::size_t d = 0; d < 8; ++d) {
+    const double angle = static_cast<double>(d) * std::numbers::pi / 4;
+    inwards[d] = {-std::cos(angle), -std::sin(angle)};
+  }
+  for (const Eigen::Vector2d& p : points) {
+    const std::int32_t where = place[cells.at(p)];
+    if (where >= 0) {
+      const Eigen::Vector2d middle = cell * ((p / cell).array().floor() + 0.5).matrix();
+      inner[static_cast<std::size_t>(where)].offer((p - middle).squaredNorm(), p);
+    } else if (where <= -4) {
+      for (std::size_t d = 0; d < 8; ++d) rim[static_cast<std::size_t>(-4 - where)][d].offer(inwards[d].dot(p), p);
+    }
+  }
+  const auto keep = [&kept](const Ranked& r, double weight) {
+    kept.points.push_back(r.point);
+    kept.weights.push_back(weight);
+  };
+  for (const Ranked& r : inner) keep(r, static_cast<double>(lattice * lattice));
+  for (const auto& directions : rim) {
+    for (const Ranked& r : directions) keep(r, 1.0 / 8);
   }
   return kept;
 }

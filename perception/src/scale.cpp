@@ -3,62 +3,94 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "voxel_grid.hpp"
+#include <unordered_set>
 
 namespace scenelore::perception {
 namespace {
 
-constexpr double kFinestVoxel = 0.05;       // metres; thinner things are found above their support
-constexpr std::size_t kWantedPoints = 5;    // in the voxel of the median point
-constexpr int kMostDoublings = 24;          // 5 cm to 800 km
-constexpr std::size_t kSamples = 2000;
-constexpr std::size_t kMostComparisons = 20'000'000;
+constexpr double kFinestVoxel = 0.05;     // metres; thinner things are found above their support
+constexpr std::size_t kWantedPoints = 5;  // in the voxel of the median point
+constexpr int kMostDoublings = 24;        // 5 cm to 800 km
+constexpr double kFewestInBlock = 16;     // points; a block of 8³ voxels that a surface crosses holds 64 voxels and more
+
+/// About how many points a block of voxels holds, from a few points: those that hit the same block tell how many blocks
+/// there are. Keeps clouds in millimetres or of whole towns from being cut into billions of voxels.
+double points_per_block(const Cloud& cloud, double voxel) {
+  constexpr std::size_t kLooks = 20'000;
+  const FixedScale scale(voxel);
+  std::unordered_set<std::uint64_t> seen;
+  double looks = 0;
+  const std::size_t step = std::max<std::size_t>(1, cloud.size() / kLooks);
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    const double x = scale.fixed(cloud.x[i]), y = scale.fixed(cloud.y[i]), z = scale.fixed(cloud.z[i]);
+    if (!(FixedScale::inside(x) && FixedScale::inside(y) && FixedScale::inside(z))) continue;
+    const auto place = [](double fixed) { return static_cast<std::uint32_t>(static_cast<std::int64_t>(fixed) >> kFixedBits); };
+    seen.insert(BlockTable::block_key({place(x), place(y), place(z)}));
+    looks += 1;
+  }
+  const auto hit = static_cast<double>(seen.size());
+  // D blocks are expected to show D (1 − e^(−n/D)) of themselves to n looks; bisection for D.
+  double low = hit, high = 1e4 * std::max(1.0, hit);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (middle * (1 - std::exp(-looks / middle)) < hit ? low : high) = middle;
+  }
+  return low > 0 ? static_cast<double>(cloud.size()) / low : 0;
+}
 
 /// Number of points in the voxel of the median point.
-std::size_t typical_occupancy(const CellIndex& cells) {
-  std::vector<std::size_t> counts(cells.size());
+std::size_t typical_occupancy(const VoxelisedCloud& voxels) {
+  constexpr std::size_t kMost = 64;
+  std::vector<std::size_t> points_in(kMost + 1, 0);  // voxels of k points
   std::size_t points = 0;
-  for (std::size_t c = 0; c < cells.size(); ++c) points += counts[c] = cells.items(c).size();
-  std::sort(counts.begin(), counts.end());
+  for (const FixedMoments& m : voxels.fixed) {
+    const auto n = static_cast<std::size_t>(m.n);
+    points_in[std::min(n, kMost)] += n;
+    points += n;
+  }
   std::size_t seen = 0;
-  for (const std::size_t count : counts) {
-    seen += count;
-    if (2 * seen >= points) return count;
+  for (std::size_t n = 1; n <= kMost; ++n) {
+    seen += points_in[n];
+    if (2 * seen >= points && points > 0) return n;
   }
   return 0;
 }
 
-/// Distance to the nearest other place within the surrounding voxels; infinite when they hold none.
-double nearest(const Cloud& cloud, const CellIndex& cells, std::size_t cell, std::uint32_t point, std::size_t& comparisons) {
-  float best = std::numeric_limits<float>::infinity();
-  for (int dx = -1; dx <= 1; ++dx) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dz = -1; dz <= 1; ++dz) {
-        const std::int32_t other = cells.find(moved(cells.key(cell), dx, dy, dz));
-        if (other < 0) continue;
-        for (const std::uint32_t i : cells.items(static_cast<std::size_t>(other))) {
-          const float d = (cloud.offset(i) - cloud.offset(point)).squaredNorm();
-          if (d > 0 && d < best) best = d;
-        }
-        comparisons += cells.items(static_cast<std::size_t>(other)).size();
-      }
+/// A few points look for their nearest neighbours within the surrounding voxels.
+double median_spacing(const Cloud& cloud, const ScaledCloud& voxels) {
+  constexpr std::size_t kSamples = 200, kMostCompared = 4000;
+  const std::size_t step = std::max<std::size_t>(1, cloud.size() / kSamples);
+  // Room for the points of the voxels that are asked about, and nothing for those of the others.
+  std::vector<std::uint32_t> room(voxels.grid.count() + 1, 0);
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    if (voxels.of_point[i] == kNoVoxel) continue;
+    for (const std::int32_t n : voxels.grid.neighbours[voxels.of_point[i]]) {
+      if (n >= 0) room[static_cast<std::size_t>(n) + 1] = static_cast<std::uint32_t>(voxels.fixed[static_cast<std::size_t>(n)].n);
     }
   }
-  return std::sqrt(static_cast<double>(best));
-}
-
-double median_spacing(const Cloud& cloud, const CellIndex& cells, double voxel) {
-  std::vector<double> distances;
-  std::size_t comparisons = 0;
-  const std::size_t step = std::max<std::size_t>(1, cloud.size() / kSamples);
-  for (std::size_t i = 0; i < cloud.size() && comparisons < kMostComparisons; i += step) {
-    const std::int32_t cell = cells.cell_of(i);
-    if (cell < 0) continue;
-    const double d = nearest(cloud, cells, static_cast<std::size_t>(cell), static_cast<std::uint32_t>(i), comparisons);
-    if (std::isfinite(d)) distances.push_back(d);
+  for (std::size_t v = 0; v + 1 < room.size(); ++v) room[v + 1] += room[v];
+  std::vector<std::uint32_t> next(room.begin(), room.end() - 1), points(room.back());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::uint32_t v = voxels.of_point[i];
+    if (v != kNoVoxel && next[v] < room[v + 1]) points[next[v]++] = static_cast<std::uint32_t>(i);
   }
-  if (distances.empty()) return voxel;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    if (voxels.of_point[i] == kNoVoxel) continue;
+    float best = std::numeric_limits<float>::infinity();
+    std::size_t compared = 0;
+    const auto& around = voxels.grid.neighbours[voxels.of_point[i]];
+    for (std::size_t k = 0; k < kNeighbours && compared < kMostCompared; ++k) {
+      const std::int32_t n = around[(k + kSelf) % kNeighbours];  // its own voxel first
+      if (n < 0) continue;
+      for (std::uint32_t at = room[static_cast<std::size_t>(n)]; at < room[static_cast<std::size_t>(n) + 1]; ++at, ++compared) {
+        const float d = (cloud.offset(points[at]) - cloud.offset(i)).squaredNorm();
+        if (d > 0 && d < best) best = d;
+      }
+    }
+    if (std::isfinite(best)) distances.push_back(std::sqrt(static_cast<double>(best)));
+  }
+  if (distances.empty()) return voxels.scale.voxel;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return *middle;
@@ -66,17 +98,24 @@ double median_spacing(const Cloud& cloud, const CellIndex& cells, double voxel) 
 
 }  // namespace
 
-Scale estimate_scale(const Cloud& cloud, int threads) {
-  Scale scale{.voxel = kFinestVoxel};
+ScaledCloud voxelise_to_scale(const Cloud& cloud, int threads) {
+  double size = kFinestVoxel;
   const std::size_t valid = cloud.size() - cloud.invalid;
-  CellIndex cells = make_cells(cloud, scale.voxel, {}, threads);
-  for (int i = 0; i < kMostDoublings && typical_occupancy(cells) < std::min(kWantedPoints, valid); ++i) {
-    // A cloud far from this scale (millimetres, a town) gets there in large steps, one near to it in small ones.
-    scale.voxel *= typical_occupancy(cells) <= 1 ? 2 : 1.4;
-    cells = make_cells(cloud, scale.voxel, {}, threads);
+  int doublings = 0;
+  if (valid > 1000) {
+    while (doublings < kMostDoublings && points_per_block(cloud, size) < kFewestInBlock) size *= 2, ++doublings;
   }
-  scale.spacing = median_spacing(cloud, cells, scale.voxel);
-  return scale;
+  ScaledCloud result{voxelise(cloud, size, threads), {}};
+  for (; doublings < kMostDoublings; ++doublings) {
+    const std::size_t typical = typical_occupancy(result);
+    if (typical == 0 || typical >= std::min(kWantedPoints, valid)) break;
+    // A cloud far from this scale (millimetres, a town) gets there in large steps, one near to it in small ones.
+    size *= typical <= 1 ? 2 : 1.4;
+    result = {voxelise(cloud, size, threads), {}};
+  }
+  result.scale.voxel = size;
+  result.scale.spacing = median_spacing(cloud, result);
+  return result;
 }
 
 }  // namespace scenelore::perception

@@ -1,7 +1,7 @@
-// How densely the cloud is sampled, and the voxel size that follows.
+// How densely the cloud is sampled, and the voxels that follow.
 #pragma once
 
-#include "scenelore/perception/cloud.hpp"
+#include "voxelise.hpp"
 
 namespace scenelore::perception {
 
@@ -10,6 +10,10 @@ struct Scale {
   double spacing = 0;  ///< metres, median distance of a point to its nearest neighbour, copies of the point left out
 };
 
-[[nodiscard]] Scale estimate_scale(const Cloud& cloud, int threads);
+/// The cloud in voxels of a size that suits it.
+struct ScaledCloud : VoxelisedCloud {
+  Scale scale;
+};
+[[nodiscard]] ScaledCloud voxelise_to_scale(const Cloud& cloud, int threads);
 
 }  // namespace scenelore::perception

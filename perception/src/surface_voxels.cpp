@@ -16,12 +16,12 @@ constexpr double kNoiseFloor = 1.0 / 50;  // voxel edges; exact planes must not 
 LocalSurface surface_of(const Moments& sum, double size) {
   LocalSurface surface;
   if (sum.n < kFewestPoints) return surface;
-  const PlaneFit fit = fit_plane_fast(sum);
+  const FlatFit fit = fit_flat(sum);
   // n − 3 degrees of freedom: few points lie closer to a plane fitted to them than to the true one.
-  const double variance = fit.variances[0] * sum.n / (sum.n - 3);
+  const double variance = fit.across * sum.n / (sum.n - 3);
   surface.normal = fit.normal;
   surface.rmse = std::sqrt(variance);
-  surface.planar = fit.variances[1] > kSpread * size * size && variance < kThinness * fit.variances[1];
+  surface.planar = fit.along > kSpread * size * size && variance < kThinness * fit.along;
   return surface;
 }
 
@@ -53,37 +53,17 @@ namespace {
 
 constexpr double kExact = 1.0 / 250;     // voxel edges: 0.2 mm; no ranging sensor is that good over 15 cm
 constexpr double kRoundedDeviation = 1.7;  // a voxel within one step lies up to half a step off, 1.7 of the steps' deviations
-constexpr int kBlock = 8;                // voxels along the edge of a block
-constexpr int kWide = 4;                 // voxels along the edge of the wider neighbourhoods' cells
-
-CellKey block_key(CellKey key, int shift) {
-  const auto [x, y, z] = coordinates(key);
-  return cell_key(x >> shift, y >> shift, z >> shift);
-}
 
 /// Deviations of neighbourhoods four times as wide, by voxel; −1 where those are not flat.
 std::vector<float> wide_deviations(const VoxelGrid& grid, int threads) {
-  std::vector<CellKey> keys(grid.count());
-  for (std::size_t v = 0; v < grid.count(); ++v) keys[v] = block_key(grid.cells.key(v), 2);
-  const CellIndex coarse(keys);
-  std::vector<Moments> sums(coarse.size());
-  for (std::size_t c = 0; c < coarse.size(); ++c) {
-    for (const std::uint32_t v : coarse.items(c)) sums[c] += grid.moments[v];
-  }
-  std::vector<float> of_cell(coarse.size());
-  parallel_pieces(coarse.size(), 512, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      Moments sum;
-      for (int d = 0; d < 27; ++d) {
-        const std::int32_t n = coarse.find(moved(coarse.key(c), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
-        if (n >= 0) sum += sums[static_cast<std::size_t>(n)];
-      }
-      const LocalSurface surface = surface_of(sum, kWide * grid.size);
-      of_cell[c] = surface.planar ? static_cast<float>(surface.rmse) : -1.0F;
-    }
-  });
+  const Coarser twice = coarsened(grid, grid.moments, threads);
+  const Coarser four = coarsened(twice.grid, twice.grid.moments, threads);
+  const std::vector<LocalSurface> surfaces = local_surfaces(four.grid, threads);
   std::vector<float> result(grid.count());
-  for (std::size_t v = 0; v < grid.count(); ++v) result[v] = of_cell[static_cast<std::size_t>(coarse.cell_of(v))];
+  for (std::size_t v = 0; v < grid.count(); ++v) {
+    const LocalSurface& surface = surfaces[four.parent[twice.parent[v]]];
+    result[v] = surface.planar ? static_cast<float>(surface.rmse) : -1.0F;
+  }
   return result;
 }
 
@@ -101,11 +81,8 @@ NoiseMap estimate_noise(const VoxelGrid& grid, const std::vector<LocalSurface>& 
   map.of_voxel.assign(grid.count(), static_cast<float>(floor));
   map.rounded.assign(grid.count(), false);
   std::vector<float> all;
-  std::vector<CellKey> blocks(grid.count());
   bool any_exact = false;
   for (std::size_t v = 0; v < grid.count(); ++v) {
-    static_assert(kBlock == 1 << 3);
-    blocks[v] = block_key(grid.cells.key(v), 3);
     if (!surfaces[v].planar) continue;
     any_exact = any_exact || surfaces[v].rmse < exact;
     all.push_back(static_cast<float>(surfaces[v].rmse));
@@ -113,10 +90,9 @@ NoiseMap estimate_noise(const VoxelGrid& grid, const std::vector<LocalSurface>& 
   if (all.empty()) return map;
   const std::vector<float> wide = any_exact ? wide_deviations(grid, threads) : std::vector<float>();
   map.typical = quantile(all, 0.4);
-  const CellIndex index(blocks);
-  for (std::size_t b = 0; b < index.size(); ++b) {
+  for (std::size_t b = 0; b + 1 < grid.block_start.size(); ++b) {
     Block block;
-    for (const std::uint32_t v : index.items(b)) {
+    for (std::size_t v = grid.block_start[b]; v < grid.block_start[b + 1]; ++v) {
       if (surfaces[v].planar) block.deviations.push_back(static_cast<float>(surfaces[v].rmse));
       if (surfaces[v].planar && surfaces[v].rmse < exact) ++block.exact;
       if (any_exact && wide[v] >= 0) block.wide.push_back(wide[v]);
@@ -128,7 +104,7 @@ NoiseMap estimate_noise(const VoxelGrid& grid, const std::vector<LocalSurface>& 
     const double wider = block.wide.empty() ? 0 : quantile(block.wide, 0.35);
     const bool rounded = static_cast<double>(block.exact) > 0.2 * known && wider > 5 * exact;
     if (rounded) noise = std::min(std::max(noise, kRoundedDeviation * wider), 3 * map.typical);
-    for (const std::uint32_t v : index.items(b)) {
+    for (std::size_t v = grid.block_start[b]; v < grid.block_start[b + 1]; ++v) {
       map.of_voxel[v] = static_cast<float>(noise);
       map.rounded[v] = rounded;
     }

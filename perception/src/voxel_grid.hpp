@@ -6,30 +6,42 @@
 #include <span>
 #include <vector>
 
-#include "cell_index.hpp"
+#include "block_table.hpp"
 #include "moments.hpp"
-#include "scenelore/perception/cloud.hpp"
 
 namespace scenelore::perception {
 
 inline constexpr std::size_t kNeighbours = 27;  ///< of a voxel, itself included
 inline constexpr std::size_t kSelf = 13;        ///< its own place among them
 
-/// Voxels are numbered by position. Moments are in the cloud's offsets (its origin left out), in double.
+/// Voxels are numbered by position: block after block, those of one block in a row. Moments are in the cloud's offsets
+/// (its origin left out), in double.
 struct VoxelGrid {
   double size = 0;  ///< metres, edge of a voxel
-  CellIndex cells;
+  BlockTable table;
+  std::vector<std::uint32_t> block_start;  ///< first voxel of each block, and the number of voxels at the end
+  std::vector<VoxelPlace> places;
   std::vector<Moments> moments;
   std::vector<std::array<std::int32_t, kNeighbours>> neighbours;  ///< −1 = empty
 
-  [[nodiscard]] std::size_t count() const { return cells.size(); }
+  [[nodiscard]] std::size_t count() const { return places.size(); }
+  /// Lower corner, in the cloud's offsets.
+  [[nodiscard]] Eigen::Vector3d corner(std::size_t v) const {
+    const auto at = [this](std::uint32_t c) { return (static_cast<double>(c) - kPlaceOrigin) * size; };
+    return {at(places[v].x), at(places[v].y), at(places[v].z)};
+  }
+  [[nodiscard]] Eigen::Vector3d center(std::size_t v) const { return corner(v) + Eigen::Vector3d::Constant(size / 2); }
 };
 
-/// Points with `taken[i]` ≥ 0 are left out; an empty `taken` leaves none out. Invalid points and points further than a
-/// million voxels from the origin are in no voxel.
-[[nodiscard]] VoxelGrid make_voxel_grid(const Cloud& cloud, double size, std::span<const std::int32_t> taken, int threads);
+/// Numbers the voxels of `table` (any distinct numbers before) by position and fills in blocks, places and neighbours;
+/// moments are left to the caller. The new number of each old one is returned.
+std::vector<std::uint32_t> number_voxels(BlockTable table, std::size_t voxels, int threads, VoxelGrid& grid);
 
-/// The cells alone, without moments and neighbours.
-[[nodiscard]] CellIndex make_cells(const Cloud& cloud, double size, std::span<const std::int32_t> taken, int threads);
+/// A grid of voxels twice as wide, from moments of the finer voxels alone (one each; those without points are left out).
+struct Coarser {
+  VoxelGrid grid;
+  std::vector<std::uint32_t> parent;  ///< of each finer voxel; kNoVoxel = left out
+};
+[[nodiscard]] Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int threads);
 
 }  // namespace scenelore::perception

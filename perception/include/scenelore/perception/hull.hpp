@@ -23,10 +23,20 @@ struct Outline {
 /// points furthest out in eight directions, since the hull would shrink by half a cell otherwise. Independent of their order.
 [[nodiscard]] std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points, double cell);
 
+/// The points that an outline of alpha radius `radius` depends on: those of the rim as thinned() keeps them, of the cells
+/// that have all eight neighbours only one in every lattice square of 0.6 radii, which leaves no gap that a circle of that radius would
+/// find. A tenth of thinned()'s points for a wall. Requires: cell ≤ radius / 3. Independent of their order.
+struct OutlineSites {
+  std::vector<Eigen::Vector2d> points;
+  std::vector<double> weights;  ///< cells that each stands for
+};
+[[nodiscard]] OutlineSites outline_sites(std::span<const Eigen::Vector2d> points, double cell, double radius);
+
 /// Alpha shape (Edelsbrunner et al. 1983) for alpha = radius²: the Delaunay triangles whose circumradius is at most
 /// `radius`, one connected part of them. The radius is raised by steps of 1.4, six times at most, until one part holds
-/// 95 % of the points; then the largest part is kept. Copies and points that are not finite do no harm.
-[[nodiscard]] Outline alpha_hull(std::span<const Eigen::Vector2d> points, double radius);
+/// 95 % of the points (by their weights, where given); then the largest part is kept. Copies and points that are not
+/// finite do no harm.
+[[nodiscard]] Outline alpha_hull(std::span<const Eigen::Vector2d> points, double radius, std::span<const double> weights = {});
 
 /// Area of a polygon by the shoelace formula, positive when counter-clockwise.
 [[nodiscard]] double signed_area(const Ring2& ring);

@@ -1,0 +1,95 @@
+#include "slots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel.hpp"
+
+namespace scenelore::perception {
+
+Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel) {
+  Slots slots;
+  slots.first.resize(grid.count() + 1);
+  slots.voxel.resize(grid.count());
+  for (std::size_t v = 0; v < grid.count(); ++v) slots.first[v] = slots.voxel[v] = static_cast<std::uint32_t>(v);
+  slots.first.back() = static_cast<std::uint32_t>(grid.count());
+  slots.region = region_of_voxel;
+  slots.ruler.assign(grid.count(), -1);
+  slots.moments = grid.moments;
+  return slots;
+}
+
+std::vector<Moments> moments_of_regions(const Slots& slots, std::size_t count) {
+  std::vector<Moments> moments(count);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] >= 0) moments[static_cast<std::size_t>(slots.region[s])] += slots.moments[s];
+  }
+  return moments;
+}
+
+void refit(const Slots& slots, std::vector<PlaneFit>& planes) {
+  const std::vector<Moments> moments = moments_of_regions(slots, planes.size());
+  for (std::size_t r = 0; r < planes.size(); ++r) planes[r] = fit_plane(moments[r]);
+}
+
+/// The planes are fitted anew to what they were given; as long as that moves them by less than what is left free here,
+/// no point is too far from them.
+constexpr double kFree = 0.97;
+
+std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits) {
+  std::vector<double> result(planes.size());
+  for (std::size_t r = 0; r < planes.size(); ++r) result[r] = std::min(tolerance(planes[r], limits), kFree * limits.max_plane_distance);
+  return result;
+}
+
+namespace {
+
+/// How far from the plane the voxel's nearest corner is.
+double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double half) {
+  return std::abs(plane.distance(center)) - half * plane.normal.cwiseAbs().sum();
+}
+
+void add_candidates(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes, const std::vector<double>& reach,
+                    std::size_t most, std::size_t v, std::vector<std::int32_t>& out) {
+  const std::size_t start = out.size();
+  for (const std::int32_t n : grid.neighbours[v]) {
+    if (n < 0) continue;
+    for (std::uint32_t s = slots.first[n]; s < slots.first[n + 1]; ++s) {
+      const std::int32_t r = slots.region[s];
+      if (r < 0 || slots.moments[s].n <= 0) continue;
+      if (std::find(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(), r) == out.end()) out.push_back(r);
+    }
+  }
+  if (out.size() == start) return;
+  const Eigen::Vector3d center = grid.center(v);
+  const auto begin = out.begin() + static_cast<std::ptrdiff_t>(start);
+  out.erase(std::remove_if(begin, out.end(), [&](std::int32_t r) { return clearance(planes[r], center, grid.size / 2) > reach[r]; }), out.end());
+  std::sort(begin, out.end(), [&](std::int32_t a, std::int32_t b) {
+    return std::pair(-planes[a].count, a) < std::pair(-planes[b].count, b);
+  });
+  if (out.size() > start + most) out.resize(start + most);
+}
+
+}  // namespace
+
+Candidates candidates_around(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes,
+                             const std::vector<double>& reach, std::size_t most, int threads) {
+  constexpr std::size_t kPiece = 4096;
+  Candidates result;
+  result.first.resize(grid.count() + 1, 0);
+  std::vector<std::vector<std::int32_t>> rows(grid.count() / kPiece + 1);
+  parallel_pieces(grid.count(), kPiece, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::vector<std::int32_t>& row = rows[v / kPiece];
+      const std::size_t before = row.size();
+      add_candidates(grid, slots, planes, reach, most, v, row);
+      result.first[v + 1] = static_cast<std::uint32_t>(row.size() - before);
+    }
+  });
+  for (std::size_t v = 0; v < grid.count(); ++v) result.first[v + 1] += result.first[v];
+  result.regions.reserve(result.first.back());
+  for (const auto& row : rows) result.regions.insert(result.regions.end(), row.begin(), row.end());
+  return result;
+}
+
+}  // namespace scenelore::perception

@@ -1,0 +1,63 @@
+// Which points belong to which plane, voxel by voxel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "regions.hpp"
+#include "voxelise.hpp"
+
+namespace scenelore::perception {
+
+/// Every voxel has a few slots: one for each plane that may own points in it, and a last one for points of no plane. A
+/// point has the number of its slot; whatever happens to a plane afterwards (joined, dropped, moved) is a matter of
+/// slots, of which there are about two a voxel however many points there are.
+struct Slots {
+  std::vector<std::uint32_t> first;   ///< slot of each voxel, and the number of slots at the end
+  std::vector<std::uint32_t> voxel;   ///< by slot
+  std::vector<std::int32_t> region;   ///< by slot: plane it belongs to, −1 = none
+  std::vector<Moments> moments;       ///< by slot, of its points
+  std::vector<std::int32_t> ruler;    ///< by slot: what its points were measured with, −1 = nothing
+  std::vector<PlaneEquation> rulers;
+  std::vector<double> reach;          ///< by ruler, metres: no point of the slot is further from it
+
+  [[nodiscard]] std::size_t count() const { return voxel.size(); }
+};
+
+/// Planes that may own points, by voxel: rows in the order of the voxels.
+struct Candidates {
+  std::vector<std::uint32_t> first;     ///< of each voxel, and the number at the end
+  std::vector<std::int32_t> regions;    ///< in order of preference
+};
+
+/// What an assignment weighs.
+struct AssignRule {
+  std::vector<double> reach;         ///< by region, metres: the furthest point it takes
+  std::vector<double> unit;          ///< by region, metres: distances are compared in these units
+  bool larger_first = true;          ///< of two almost parallel planes the larger one keeps what it explains
+  std::vector<bool> only;            ///< voxels that are assigned anew, the rest keep their slots; empty = all
+};
+
+/// Gives every point to the nearest of its voxel's candidates, one pass over the points. `slot_of_point` and `before`
+/// are needed (and read) only with `rule.only`; `slot_of_point` then refers to the slots that are returned.
+[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates,
+                                  const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads,
+                                  std::vector<std::uint32_t>& slot_of_point, const Slots* before = nullptr);
+
+/// The planes with points in each voxel or in one of the 26 around it, largest first, `most` at the most; those that pass
+/// the voxel further away than their reach are left out.
+[[nodiscard]] Candidates candidates_around(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes,
+                                           const std::vector<double>& reach, std::size_t most, int threads);
+
+/// One slot for all points of each voxel, with the regions that voxels have; for the first assignment.
+[[nodiscard]] Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel);
+
+[[nodiscard]] std::vector<Moments> moments_of_regions(const Slots& slots, std::size_t count);
+
+/// Fits the planes anew to what their slots hold; planes without points keep count 0.
+void refit(const Slots& slots, std::vector<PlaneFit>& planes);
+
+/// Tolerances of all planes.
+[[nodiscard]] std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits);
+
+}  // namespace scenelore::perception

@@ -1,0 +1,77 @@
+#include "transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenelore::perception {
+namespace {
+
+using VoxelRegion = std::pair<std::uint32_t, std::int32_t>;
+
+/// Rows of distinct regions by voxel.
+Candidates rows_of(std::vector<VoxelRegion> pairs, std::size_t voxels) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Candidates rows;
+  rows.first.assign(voxels + 1, 0);
+  for (const auto& [v, r] : pairs) {
+    ++rows.first[v + 1];
+    rows.regions.push_back(r);
+  }
+  for (std::size_t v = 0; v < voxels; ++v) rows.first[v + 1] += rows.first[v];
+  return rows;
+}
+
+}  // namespace
+
+void transfer_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits,
+                          const std::function<void(Regions&)>& judge, bool old_ones_too, int threads,
+                          std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+  Regions regions;
+  regions.planes = planes;
+  regions.of_point.resize(sample.points.size());
+  for (std::size_t k = 0; k < sample.points.size(); ++k) regions.of_point[k] = slots.region[slot_of_point[sample.points[k]]];
+  const std::vector<std::int32_t> before = regions.of_point;
+  judge(regions);
+
+  AssignRule rule;
+  rule.larger_first = false;
+  rule.only.assign(voxels.grid.count(), false);
+  std::vector<bool> changed(regions.planes.size(), false);
+  std::fill(changed.begin() + static_cast<std::ptrdiff_t>(planes.size()), changed.end(), true);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k] == regions.of_point[k]) continue;
+    rule.only[voxels.of_point[sample.points[k]]] = true;
+    if (before[k] >= 0) changed[before[k]] = true;
+    if (regions.of_point[k] >= 0) changed[regions.of_point[k]] = true;
+  }
+  // What did not change keeps the plane of all its points.
+  for (std::size_t r = 0; r < planes.size(); ++r) {
+    if (!changed[r]) regions.planes[r] = planes[r];
+  }
+  planes = std::move(regions.planes);
+  rule.reach = tolerances(planes, limits);
+  rule.unit.assign(planes.size(), 1.0);
+  std::vector<double> furthest(planes.size(), 0);
+  std::vector<VoxelRegion> pairs;
+  std::vector<std::int32_t> last(voxels.grid.count(), -1);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const std::int32_t r = regions.of_point[k];
+    if (r < 0) continue;
+    if (changed[r]) furthest[r] = std::max(furthest[r], std::abs(planes[r].distance(sample.cloud.offset(k).cast<double>())));
+    const std::uint32_t v = voxels.of_point[sample.points[k]];
+    if (!rule.only[v] || last[v] == r) continue;
+    last[v] = r;
+    pairs.emplace_back(v, r);
+  }
+  for (std::size_t s = 0; old_ones_too && s < slots.count(); ++s) {
+    if (rule.only[slots.voxel[s]] && slots.region[s] >= 0 && slots.moments[s].n > 0) pairs.emplace_back(slots.voxel[s], slots.region[s]);
+  }
+  for (std::size_t r = 0; r < planes.size(); ++r) {
+    if (changed[r]) rule.reach[r] = std::min(rule.reach[r], furthest[r] + 1e-5);
+  }
+  slots = assign_points(cloud, voxels, rows_of(std::move(pairs), voxels.grid.count()), planes, rule, threads, slot_of_point, &slots);
+  refit(slots, planes);
+}
+
+}  // namespace scenelore::perception
