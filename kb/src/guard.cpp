@@ -10,8 +10,8 @@ namespace scenelore::kb {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> kReadingPragmas = {
-    "application_id",    "collation_list", "compile_options", "foreign_key_check", "foreign_key_list",
+constexpr std::array<std::string_view, 16> kReadingPragmas = {
+    "application_id",    "collation_list", "compile_options", "data_version",      "foreign_key_check", "foreign_key_list",
     "function_list",     "index_info",     "index_list",      "index_xinfo",       "integrity_check",
     "quick_check",       "table_info",     "table_list",      "table_xinfo",       "user_version"};
 constexpr std::array<std::string_view, 7> kKnowledgeTables = {

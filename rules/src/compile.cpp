@@ -24,8 +24,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Compiler {
  public:
   Compiler(const kb::Knowledge& knowledge, const Scene& scene, const std::vector<std::vector<double>>& evidence,
-           const Facts& facts)
-      : knowledge_(knowledge), scene_(scene), evidence_(evidence), facts_(facts), index_(scene, facts),
+           const Facts& facts, HardRows hard_rows)
+      : strict_(hard_rows == HardRows::strict), knowledge_(knowledge), scene_(scene), evidence_(evidence), facts_(facts), index_(scene, facts),
         hold_(hold_degree(knowledge)), fallback_(knowledge.fallback_index()), fixed_(scene.planes.size(), -1) {
     check_evidence();
   }
@@ -71,7 +71,9 @@ class Compiler {
     }
   }
   /// What a hard row costs where plane `a` is what it is for certain.
-  [[nodiscard]] double hard_weight(int a) const { return a >= 0 && fixed_[at(a)] >= 0 ? kBrokenRow : engine::kHard; }
+  [[nodiscard]] double hard_weight(int a) const {
+    return !strict_ && a >= 0 && fixed_[at(a)] >= 0 ? kBrokenRow : engine::kHard;
+  }
 
   /// Planes b in the row's relation to a, with degrees; without a relation all others, fully.
   [[nodiscard]] std::vector<FactIndex::Held> held(const kb::ClassConstraint& row, int a) const;
@@ -83,6 +85,7 @@ class Compiler {
   [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
+  bool strict_;
   const kb::Knowledge& knowledge_;
   const Scene& scene_;
   const std::vector<std::vector<double>>& evidence_;
@@ -290,11 +293,11 @@ void Compiler::add_scene_count(int index, int subject) {
   const int size = static_cast<int>(body.literals.size());
   if (at_most ? size <= *row.count : *row.count <= 0) return;
   if (at_most) {
-    body.high = row.weight ? *row.count : std::max(*row.count, certain);
+    body.high = row.weight || strict_ ? *row.count : std::max(*row.count, certain);
     return add(index, -1, -1, row.weight.value_or(engine::kHard), std::move(body));
   }
   body.low = *row.count;
-  add(index, -1, -1, row.weight.value_or(kBrokenRow), std::move(body));
+  add(index, -1, -1, row.weight.value_or(strict_ ? engine::kHard : kBrokenRow), std::move(body));
 }
 
 }  // namespace
@@ -320,9 +323,9 @@ std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const Ru
 
 LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
                          const std::vector<std::vector<double>>& evidence, const Facts& facts,
-                         const std::vector<std::pair<kb::PlaneId, std::string>>& truth) {
+                         const std::vector<std::pair<kb::PlaneId, std::string>>& truth, HardRows hard_rows) {
   if (knowledge.fallback_index() < 0) throw Error("the knowledge has no fallback class");
-  Compiler compiler(knowledge, scene, evidence, facts);
+  Compiler compiler(knowledge, scene, evidence, facts, hard_rows);
   compiler.fix(truth);
   std::vector<int>& order = compiler.out.plane_of_variable;
   order.resize(scene.planes.size());

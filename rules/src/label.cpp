@@ -187,6 +187,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
     margins.push_back(out.labels.back().margin);
   }
   add_alternatives(about, best, solver, options.alternatives, out);
+  if (!options.reasons) return out;
 
   std::set<kb::PlaneId> known;
   for (const auto& [plane, name] : truth) known.insert(plane);

@@ -1,4 +1,5 @@
 // Planes and geometry as Lua sees them.
+#include "language_table.hpp"
 #include "rule_host.hpp"
 #include "scenelore/rules/error.hpp"
 #include "suggestion.hpp"
@@ -12,30 +13,43 @@ struct Handle {
   int plane;  ///< −1 = a vector
 };
 
-struct Field {
-  const char* name;
-  double (*value)(const perception::Plane& plane);
-};
-
-constexpr Field kFields[] = {
-    {"x", [](const perception::Plane& p) { return p.centroid.x(); }},
-    {"y", [](const perception::Plane& p) { return p.centroid.y(); }},
-    {"z", [](const perception::Plane& p) { return p.centroid.z(); }},
-    {"height", [](const perception::Plane& p) { return p.height; }},
-    {"area_m2", [](const perception::Plane& p) { return p.area_m2; }},
-    {"length", [](const perception::Plane& p) { return p.length; }},
-    {"width", [](const perception::Plane& p) { return p.width; }},
-    {"rectangularity", [](const perception::Plane& p) { return p.rectangularity; }},
-    {"tilt_deg", [](const perception::Plane& p) { return p.tilt_deg; }},
-    {"z_min", [](const perception::Plane& p) { return p.z_min; }},
-    {"z_max", [](const perception::Plane& p) { return p.z_max; }},
-    {"rmse", [](const perception::Plane& p) { return p.rmse; }},
-    {"facing_up", [](const perception::Plane& p) { return p.facing_up; }},
-    {"point_density", [](const perception::Plane& p) { return p.point_density; }},
-    {"spread_length", [](const perception::Plane& p) { return p.spread_length; }},
-    {"spread_width", [](const perception::Plane& p) { return p.spread_width; }},
-    {"seen_share", [](const perception::Plane& p) { return p.seen_share; }},
-    {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); }},
+constexpr PlaneField kFields[] = {
+    {"x", [](const perception::Plane& p) { return p.centroid.x(); },
+     "metres, centroid"},
+    {"y", [](const perception::Plane& p) { return p.centroid.y(); },
+     "metres, centroid"},
+    {"z", [](const perception::Plane& p) { return p.centroid.z(); },
+     "metres, centroid above the floor"},
+    {"height", [](const perception::Plane& p) { return p.height; },
+     "metres, centroid above the floor"},
+    {"area_m2", [](const perception::Plane& p) { return p.area_m2; },
+     "square metres inside the outline"},
+    {"length", [](const perception::Plane& p) { return p.length; },
+     "metres, longer side of the smallest rectangle around it"},
+    {"width", [](const perception::Plane& p) { return p.width; },
+     "metres, shorter side"},
+    {"rectangularity", [](const perception::Plane& p) { return p.rectangularity; },
+     "area over that of the rectangle, 0 to 1"},
+    {"tilt_deg", [](const perception::Plane& p) { return p.tilt_deg; },
+     "degrees between normal and vertical: 0 level, 90 upright"},
+    {"z_min", [](const perception::Plane& p) { return p.z_min; },
+     "metres, lower edge"},
+    {"z_max", [](const perception::Plane& p) { return p.z_max; },
+     "metres, upper edge"},
+    {"rmse", [](const perception::Plane& p) { return p.rmse; },
+     "metres, of the fit"},
+    {"facing_up", [](const perception::Plane& p) { return p.facing_up; },
+     "upward part of the normal on the side it was seen from, -1 to 1"},
+    {"point_density", [](const perception::Plane& p) { return p.point_density; },
+     "points a square metre"},
+    {"spread_length", [](const perception::Plane& p) { return p.spread_length; },
+     "metres, longer side of the rectangle that spreads as the points do"},
+    {"spread_width", [](const perception::Plane& p) { return p.spread_width; },
+     "metres, its shorter side"},
+    {"seen_share", [](const perception::Plane& p) { return p.seen_share; },
+     "share of the outline that holds points, 0 to 1"},
+    {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); },
+     "points"},
 };
 
 [[noreturn]] int no_writing(lua_State*) { throw Error("planes cannot be changed; a rule only looks at them"); }
@@ -97,7 +111,7 @@ void make_plane(RuleHost& host, std::size_t index) {
       set_number(state, features.names[f].c_str(), features.values[index][f]);
     }
   }
-  for (const Field& field : kFields) set_number(state, field.name, field.value(plane));
+  for (const PlaneField& field : kFields) set_number(state, field.name, field.value(plane));
   lua_pushinteger(state, host.scene->ids[index]);
   lua_setfield(state, -2, "id");
   lua_createtable(state, 0, 3);
@@ -128,31 +142,36 @@ double reach_argument(lua_State* state) {
   return reach;
 }
 
-struct GeometryFunction {
-  const char* name;
-  lua_CFunction function;
-};
-
 constexpr GeometryFunction kGeometry[] = {
-    {"angle", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.angle(a, b); }>>},
-    {"gap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.gap(a, b); }>>},
+    {"angle", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.angle(a, b); }>>, "",
+     "degrees between the planes, 0 to 90, whichever way they face"},
+    {"gap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.gap(a, b); }>>, "",
+     "metres, smallest distance of the outlines and what they enclose; 0 when they cross"},
     {"footprint_overlap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State* state) {
        return g.footprint_overlap(a, b, reach_argument(state));
-     }>>},
+     }>>, "reach",
+     "share of the footprint of a over that of b, or within reach metres (default 0) of it"},
     {"vertical_gap",
-     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.vertical_gap(a, b); }>>},
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.vertical_gap(a, b); }>>, "",
+     "metres from the top of b up to the lowest point of a; negative when they overlap in height"},
     {"plane_distance",
-     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.plane_distance(a, b); }>>},
-    {"side", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.side(a, b); }>>},
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.plane_distance(a, b); }>>, "",
+     "metres from the centroid of a to the endless plane of b"},
+    {"side", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.side(a, b); }>>, "",
+     "metres, the same with a sign: positive on the side the normal of b points to"},
     {"centroid_distance",
-     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.centroid_distance(a, b); }>>},
+     guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.centroid_distance(a, b); }>>, "",
+     "metres between the centroids"},
 };
 
 }  // namespace
 
+std::span<const PlaneField> plane_field_table() { return kFields; }
+std::span<const GeometryFunction> geometry_table() { return kGeometry; }
+
 std::vector<std::string> plane_fields(const Scene& scene) {
   std::vector<std::string> names{"id", "normal"};
-  for (const Field& field : kFields) names.emplace_back(field.name);
+  for (const PlaneField& field : kFields) names.emplace_back(field.name);
   names.insert(names.end(), scene.features.names.begin(), scene.features.names.end());
   return names;
 }

@@ -29,6 +29,24 @@ void put_place(lua_State* state, int level, char* out, std::size_t size) {
   }
 }
 
+/// "  above.lua:12: in degree\n…" for the calls that are active, as many as fit.
+void put_traceback(lua_State* state, char* out, std::size_t size) {
+  lua_Debug frame;
+  std::size_t used = 0;
+  out[0] = '\0';
+  for (int level = 1; lua_getstack(state, level, &frame) != 0; ++level) {
+    lua_getinfo(state, "Sln", &frame);
+    if (frame.currentline <= 0 || std::strcmp(frame.short_src, LuaState::kPrelude) == 0) continue;
+    const int written = std::snprintf(out + used, size - used, "  %s:%d: in %s\n", frame.short_src, frame.currentline,
+                                      frame.name != nullptr ? frame.name : "the function declared there");
+    if (written < 0 || static_cast<std::size_t>(written) >= size - used) {
+      out[used] = '\0';
+      return;
+    }
+    used += static_cast<std::size_t>(written);
+  }
+}
+
 }  // namespace
 
 LuaState::LuaState(const Budget& budget) : budget_(budget), limit_(budget.memory_bytes) {
@@ -93,6 +111,7 @@ void LuaState::count_hook(lua_State* state, lua_Debug*) {
 /// Message handler: whatever was thrown becomes a text of bounded length.
 int LuaState::describe_error(lua_State* state) {
   ++of(state).host_;
+  put_traceback(state, of(state).traceback_, sizeof of(state).traceback_);
   if (lua_type(state, 1) != LUA_TSTRING) {
     char place[80];
     put_place(state, 1, place, sizeof place);
@@ -126,6 +145,7 @@ void LuaState::call(int arguments, int results) {
   lua_pushcfunction(lua_, describe_error);
   lua_insert(lua_, handler);
   start_counting();
+  traceback_[0] = '\0';
   const int status = lua_pcall(lua_, arguments, results, handler);
   lua_remove(lua_, handler);
   if (status == LUA_OK) return;
@@ -140,7 +160,7 @@ void LuaState::call(int arguments, int results) {
   }
   lua_pop(lua_, 1);
   if (status == LUA_ERRMEM) lua_gc(lua_, LUA_GCCOLLECT);
-  throw Error(with_path(std::move(message)));
+  throw Error(with_path(std::move(message)), traceback_);
 }
 
 void LuaState::load(std::string_view text, const std::string& shown) {

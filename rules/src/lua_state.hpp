@@ -71,6 +71,7 @@ class LuaState {
   bool exhausted_ = false;
   std::chrono::steady_clock::time_point start_;
   std::string shown_, chunk_;
+  char traceback_[600] = {};  // of the error that is being described
 };
 
 /// The trampoline: a C++ function as a Lua function. An exception ends here and goes on as a Lua error; the function

@@ -57,7 +57,52 @@ std::string relation_phrase(const kb::ClassConstraint& row, double degree) {
   return row.relation ? *row.relation + ", " + number(degree) : std::string("present");
 }
 
+/// A histogram may decide in place of the Gaussian; what is typical of the class is told by its class_feature row all the same.
+void add_typical(const kb::Knowledge& knowledge, int object_class, std::vector<kb::Contribution>& terms) {
+  const std::string& name = knowledge.classes[at(object_class)].name;
+  for (const kb::ClassFeature& row : knowledge.class_features) {
+    if (row.object_class != name) continue;
+    for (kb::Contribution& term : terms) {
+      if (term.feature != row.feature || !std::isnan(term.mean)) continue;
+      term.mean = row.mean;
+      term.sigma = row.sigma;
+    }
+  }
+}
+
+/// Terms of one class against those of another, strongest first. Sentences are left empty.
+std::vector<FeatureReason> compared(const std::vector<kb::Contribution>& mine, const std::vector<kb::Contribution>& theirs) {
+  std::vector<FeatureReason> out;
+  for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
+    out.push_back({mine[i].feature, mine[i].value, mine[i].mean, mine[i].sigma,
+                   mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), {}});
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const FeatureReason& a, const FeatureReason& b) { return std::abs(a.gain) > std::abs(b.gain); });
+  return out;
+}
+
+std::string feature_sentence(const kb::Knowledge& knowledge, const std::vector<kb::Contribution>& terms, const FeatureReason& reason,
+                             const std::string& mine, const std::string& theirs) {
+  const auto term =
+      std::find_if(terms.begin(), terms.end(), [&](const kb::Contribution& c) { return c.feature == reason.feature; });
+  return describe_feature(knowledge, *term) + ": " + number(std::abs(reason.gain)) +
+         (reason.gain < 0 ? " against " + mine + ", for " + theirs : " for " + mine + " against " + theirs);
+}
+
 }  // namespace
+
+std::vector<FeatureReason> feature_reasons(const kb::Knowledge& knowledge, const Scene& scene, int plane, int object_class,
+                                           int other_class) {
+  auto terms = kb::contributions(knowledge, scene.features, {{at(plane), at(object_class)}, {at(plane), at(other_class)}});
+  add_typical(knowledge, object_class, terms[0]);
+  std::vector<FeatureReason> out = compared(terms[0], terms[1]);
+  for (FeatureReason& reason : out) {
+    reason.sentence = feature_sentence(knowledge, terms[0], reason, knowledge.classes[at(object_class)].name,
+                                       knowledge.classes[at(other_class)].name);
+  }
+  return out;
+}
 
 std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject) {
   if (difference.row >= 0) return about.quoted(about.knowledge.constraints[at(difference.row)]);
@@ -85,27 +130,21 @@ Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(
   if (about.scene.features.values.size() != about.scene.planes.size()) return;
   std::vector<std::vector<kb::Contribution>> terms = kb::contributions(about.knowledge, about.scene.features, entries);
   for (std::size_t i = 0; i + 1 < terms.size(); i += 2) {
+    add_typical(about.knowledge, best.class_of(static_cast<int>(i / 2)), terms[i]);
     mine_.push_back(std::move(terms[i]));
     theirs_.push_back(std::move(terms[i + 1]));
   }
 }
 
 /// The features that tell the class from its strongest rival, by what they add.
-std::string Reasoner::strongest_features(int plane) const {
-  if (mine_.empty() || rivals_[at(plane)] < 0) return {};
-  const std::vector<kb::Contribution>&mine = mine_[at(plane)], &theirs = theirs_[at(plane)];
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
-    order.emplace_back(mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), i);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+std::string Reasoner::strongest_features(int plane, const std::vector<FeatureReason>& strongest) const {
   std::string fits, odd;
-  for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 3); ++i) {
-    const auto& [gain, feature] = order[i];
-    if (std::abs(gain) < 0.1) continue;
-    std::string& list = gain > 0 ? fits : odd;
-    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, mine[feature]);
+  for (std::size_t i = 0; i < std::min<std::size_t>(strongest.size(), 3); ++i) {
+    if (std::abs(strongest[i].gain) < 0.1) continue;
+    const auto term = std::find_if(mine_[at(plane)].begin(), mine_[at(plane)].end(),
+                                   [&](const kb::Contribution& c) { return c.feature == strongest[i].feature; });
+    std::string& list = strongest[i].gain > 0 ? fits : odd;
+    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, *term);
   }
   std::string out;
   if (!fits.empty()) out += "; for it: " + fits;
@@ -125,7 +164,14 @@ void Reasoner::add_evidence(int plane, const kb::Label& label) {
   if (rival >= 0) {
     sentence += std::string(amount < 0 ? ", which prefer " : ", before ") + about_.class_name(rival) + " with " + number(p[at(rival)]);
   }
-  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane));
+  const std::vector<FeatureReason> strongest =
+      mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
+  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane, strongest));
+  for (std::size_t i = 0; i < std::min<std::size_t>(strongest.size(), 3); ++i) {
+    if (std::abs(strongest[i].gain) < 0.5) break;
+    add(plane, "feature", strongest[i].gain,
+        feature_sentence(about_.knowledge, mine_[at(plane)], strongest[i], about_.class_name(object_class), about_.class_name(rival)));
+  }
 }
 
 void Reasoner::add_truth(int plane) {

@@ -28,7 +28,7 @@ class Reasoner {
   void add(int plane, const char* kind, double amount, std::string sentence, const kb::ClassConstraint* row = nullptr,
            int other = -1);
   void add_violation(const engine::Violation& violation);
-  [[nodiscard]] std::string strongest_features(int plane) const;
+  [[nodiscard]] std::string strongest_features(int plane, const std::vector<FeatureReason>& strongest) const;
 
   const Case& about_;
   const World& best_;

@@ -25,7 +25,7 @@ RuleFile::RuleFile(RuleSource source, const Budget& budget, const std::map<std::
   try {
     host_->lua.call(0, 1);
   } catch (const Error& error) {
-    throw located(error.what(), "");
+    throw located(error, "");
   }
   take_over();
 }
@@ -91,9 +91,10 @@ double RuleFile::number_field(const char* name) const {
 }
 
 /// A message always begins with the file, also when Lua could not tell the line.
-Error RuleFile::located(const std::string& message, const std::string& about) const {
+Error RuleFile::located(const Error& error, const std::string& about) const {
+  const std::string message = error.what();
   const bool has_place = message.compare(0, source_.shown.size() + 1, source_.shown + ":") == 0;
-  return Error((has_place ? message : source_.shown + ": " + message) + about);
+  return Error((has_place ? message : source_.shown + ": " + message) + about, error.traceback());
 }
 
 void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) { set_scene(*host_, scene, geometry); }
@@ -107,7 +108,7 @@ double RuleFile::degree(int a, int b) {
     host_->lua.call(2, 1);
   } catch (const Error& error) {
     const auto id = [&](int plane) { return std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]); };
-    throw located(error.what(), " (relation '" + name_ + "', planes " + id(a) + " and " + id(b) + ")");
+    throw located(error, " (relation '" + name_ + "', planes " + id(a) + " and " + id(b) + ")");
   }
   const double degree = lua_tonumber(state, -1);
   lua_pop(state, 1);
@@ -121,7 +122,7 @@ double RuleFile::value(int plane) {
   try {
     host_->lua.call(1, 1);
   } catch (const Error& error) {
-    throw located(error.what(), " (feature '" + name_ + "', plane " +
+    throw located(error, " (feature '" + name_ + "', plane " +
                                     std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]) + ")");
   }
   const double value = lua_isnil(state, -1) ? std::numeric_limits<double>::quiet_NaN() : lua_tonumber(state, -1);

@@ -47,7 +47,7 @@ class RuleFile {
   void take_over();
   [[nodiscard]] std::string text_field(const char* name) const;
   [[nodiscard]] double number_field(const char* name) const;
-  [[nodiscard]] Error located(const std::string& message, const std::string& about) const;
+  [[nodiscard]] Error located(const Error& error, const std::string& about) const;
 
   RuleSource source_;
   std::unique_ptr<RuleHost> host_;

@@ -165,6 +165,8 @@ std::vector<RelationInfo> RuleSet::relations() const {
   return out;
 }
 
+std::string RuleSet::text(const std::string& relation) const { return implementation_->relation_entry(relation).source.text; }
+
 std::vector<kb::Feature> RuleSet::features() const {
   std::vector<kb::Feature> out;
   for (auto& [name, entry] : implementation_->features) out.push_back(implementation_->file(entry).feature());

@@ -40,6 +40,10 @@ std::vector<RuleSource> sources_below(const std::filesystem::path& directory, bo
   std::vector<std::filesystem::path> paths;
   for (std::filesystem::recursive_directory_iterator entry(directory, error), end; entry != end; entry.increment(error)) {
     if (error) break;
+    if (entry->path().filename().string().starts_with('.')) {  // what editors keep beside the rules
+      if (entry->is_directory(error)) entry.disable_recursion_pending();
+      continue;
+    }
     if (entry->is_regular_file(error) && entry->path().extension() == ".lua") paths.push_back(entry->path());
   }
   if (error) throw Error(directory.string() + ": cannot be read: " + error.message());

@@ -46,6 +46,7 @@ void tell_differences(const Case& about, const World& best, const World& other, 
       out.sentences.push_back(best.named(d.plane) + " would become " + about.class_name(other.class_of(d.plane)) + ": " + amount);
     } else {
       const std::string row = about.quoted(about.knowledge.constraints[at(d.row)]);
+      if (d.amount > 0) out.violated.emplace_back(about.knowledge.constraints[at(d.row)].name, d.amount);
       out.sentences.push_back((d.amount > 0 ? "it would break " : "it would no longer break ") + row + ": " + amount);
     }
   }

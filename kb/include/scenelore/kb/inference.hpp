@@ -53,7 +53,7 @@ struct Alternative {
 struct Reason {
   PlaneId plane = 0;
   std::string object_class;
-  std::string kind;  ///< evidence, support, violation, runner_up, truth, floor
+  std::string kind;  ///< evidence, feature, support, violation, runner_up, truth, floor
   std::optional<std::string> constraint_name;
   std::optional<PlaneId> other_plane;
   double amount = 0;  ///< nats in favour (> 0) or against (< 0)

@@ -52,29 +52,47 @@ struct LabellingProblem {
 /// `hold_degree`, 0.5 without one. Soft rows use the degree itself.
 [[nodiscard]] double hold_degree(const kb::Knowledge& knowledge);
 
+/// Whether hard rows give way to what is certain (at kBrokenRow), or are as hard as that: then there may be no world at all.
+enum class HardRows { give_way, strict };
+
 /// Unary cost = −ln P(C|Φ); constraints by the semantics of docs/rules.md; `truth` fixes labels. Constraint reference = rowid.
 /// Setting `floor` = `ranked` (default): floor is chosen by cost; `threshold`: the paper's start, the lowest plane with
 /// P(floor) ≥ `floor_threshold` (0.4) is the floor. Throws Error for rows, truth or evidence that name or hold nonsense.
 [[nodiscard]] LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
                                        const std::vector<std::vector<double>>& evidence, const Facts& facts,
-                                       const std::vector<std::pair<kb::PlaneId, std::string>>& truth);
+                                       const std::vector<std::pair<kb::PlaneId, std::string>>& truth,
+                                       HardRows hard_rows = HardRows::give_way);
 
 /// Labels, adjusted probabilities, margins, alternatives and reasons of the best world model.
 /// `outcome` infeasible leaves labels empty; run.outcome tells.
 struct LabellingOptions {
   engine::SolverOptions solver;
   int alternatives = 3;  ///< how many world models besides the best one
+  bool reasons = true;   ///< without them the answer is the same, a little sooner
 };
 [[nodiscard]] kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene,
                                   const std::vector<std::vector<double>>& evidence, const Facts& facts,
                                   const std::vector<std::pair<kb::PlaneId, std::string>>& truth,
                                   const LabellingOptions& options = {});
 
+/// What one feature says for one class against another.
+struct FeatureReason {
+  std::string feature;
+  double value = 0;
+  double mean = 0, sigma = 0;  ///< of the class, on the feature's scale; NaN without a class_feature row
+  double gain = 0;             ///< nats for the class against the other one, weighted
+  std::string sentence;        ///< "height 0.74 m (typical 0.73 ± 0.05): 1.2 for table against shelf"
+};
+/// All features that are known of a plane, strongest first; classes by index of Knowledge::classes.
+[[nodiscard]] std::vector<FeatureReason> feature_reasons(const kb::Knowledge& knowledge, const Scene& scene, int plane,
+                                                         int object_class, int other_class);
+
 /// Why a plane is not `object_class`: the cheapest world where it is, as sentences (last one a summary); what else changes.
 struct WhyNot {
   bool possible = false;
   double extra_cost = 0;
   std::vector<std::pair<kb::PlaneId, std::string>> changes;  ///< other planes whose class would change
+  std::vector<std::pair<std::string, double>> violated;      ///< constraints that would be broken (more), and by how many nats
   std::vector<std::string> sentences;
 };
 [[nodiscard]] WhyNot why_not(const kb::Knowledge& knowledge, const Scene& scene,

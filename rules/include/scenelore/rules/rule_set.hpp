@@ -67,6 +67,7 @@ class RuleSet {
 
   [[nodiscard]] std::vector<std::string> relation_names() const;  ///< rising
   [[nodiscard]] std::vector<RelationInfo> relations() const;      ///< by name
+  [[nodiscard]] std::string text(const std::string& relation) const;  ///< of its file; throws Error with "did you mean"
   [[nodiscard]] std::vector<kb::Feature> features() const;    ///< of Lua feature files; weight 1
   [[nodiscard]] std::string hash() const;                     ///< SHA-256 over names and texts
 
