@@ -64,11 +64,16 @@ kb::KnowledgeBase open_or_create(const fs::path& path, const std::string& knowle
   return fs::exists(path) ? kb::KnowledgeBase::open(path) : kb::KnowledgeBase::create(path, knowledge);
 }
 
-rules::RuleSet load_rules(const kb::KnowledgeBase& base, const fs::path& file, const std::vector<std::string>& given) {
+std::vector<fs::path> rule_folders(const fs::path& file, const std::vector<std::string>& given) {
   std::vector<fs::path> folders(given.begin(), given.end());
   const fs::path beside = file.parent_path() / "rules";
   if (folders.empty() && fs::is_directory(beside)) folders.push_back(beside);
-  return rules::RuleSet::load(folders, {}, base.knowledge().settings);
+  return folders;
+}
+
+rules::RuleSet load_rules(const kb::KnowledgeBase& base, const fs::path& file, const std::vector<std::string>& given,
+                          const rules::Budget& budget) {
+  return rules::RuleSet::load(rule_folders(file, given), budget, base.knowledge().settings);
 }
 
 }  // namespace scenelore::pipeline

@@ -53,6 +53,8 @@ kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::R
 /// The built-in rules and those of the folders given, else of a folder `rules` beside the knowledge base file if there is
 /// one, with the tolerances that the knowledge's settings replace (`above.reach`).
 [[nodiscard]] rules::RuleSet load_rules(const kb::KnowledgeBase& base, const std::filesystem::path& file,
-                                        const std::vector<std::string>& given);
+                                        const std::vector<std::string>& given, const rules::Budget& budget = {});
+/// The folders that load_rules takes: those given, else `rules` beside the file if there is one.
+[[nodiscard]] std::vector<std::filesystem::path> rule_folders(const std::filesystem::path& file, const std::vector<std::string>& given);
 
 }  // namespace scenelore::pipeline

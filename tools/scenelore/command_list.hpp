@@ -15,7 +15,14 @@ std::unique_ptr<Command> why_command();
 std::unique_ptr<Command> export_command();
 std::unique_ptr<Command> info_command();
 std::unique_ptr<Command> kb_init_command();
+std::unique_ptr<Command> conflict_command();
+std::unique_ptr<Command> relations_command();
+std::unique_ptr<Command> watch_command();
 std::unique_ptr<Command> rules_check_command();
+std::unique_ptr<Command> rules_test_command();
+std::unique_ptr<Command> rules_profile_command();
+std::unique_ptr<Command> rules_new_command();
+std::unique_ptr<Command> rules_doc_command();
 std::unique_ptr<Command> simulate_command();
 std::unique_ptr<Command> solve_command();
 

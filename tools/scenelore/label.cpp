@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "command_list.hpp"
 #include "exit_code.hpp"
@@ -27,7 +26,7 @@ class LabelCommand : public Command {
 
   int run() override {
     kb::KnowledgeBase base = kb::KnowledgeBase::open(file_);
-    rules::RuleSet rules = pipeline::load_rules(base, file_, labelling_.rules);
+    rules::RuleSet rules = labelling_.rules.load(base, file_);
     const rules::LabellingOptions options = labelling_.options();
     const std::vector<kb::Scan> scans = scan_.empty() && !base.scans().empty() ? base.scans()
                                                                                : std::vector{require_scan(base, file_, scan_)};
@@ -36,33 +35,20 @@ class LabelCommand : public Command {
     std::vector<Report> reports;
     int code = kOk;
     for (const kb::Scan& scan : scans) {
-      const std::vector<kb::Label> before = base.labels(scan.id);
-      reports.push_back({file_, scan, pipeline::label_scan(base, scan, rules, options), {}, {}});
-      code = std::max(code, exit_code(reports.back()));
+      Report report{.file = file_, .scan = scan, .before = base.labels(scan.id), .corrected = new_corrections(base, scan)};
+      report.inference = pipeline::label_scan(base, scan, rules, options);
+      code = std::max(code, exit_code(report));
       if (!json_) {
-        print_text(reports.back(), fallback);
-        print_changes(before, reports.back().inference.labels);
+        print_text(report, fallback);
+        print_changes(report);
       }
+      reports.push_back(std::move(report));
     }
     if (json_) print_json(reports);
     return code;
   }
 
  private:
-  static void print_changes(const std::vector<kb::Label>& before, const std::vector<kb::Label>& after) {
-    if (before.empty()) return;
-    std::map<kb::PlaneId, std::string> old;
-    for (const kb::Label& label : before) old[label.plane] = label.object_class;
-    std::size_t changes = 0;
-    for (const kb::Label& label : after) {
-      const auto found = old.find(label.plane);
-      if (found == old.end() || found->second == label.object_class) continue;
-      fmt::print("changed: plane {} was {}, is {}\n", label.plane, found->second, label.object_class);
-      ++changes;
-    }
-    if (changes == 0) fmt::print("no label changed\n");
-  }
-
   std::string file_;
   std::string scan_;
   bool json_ = false;

@@ -61,20 +61,44 @@ perception::PerceptionOptions PerceptionArguments::options() const {
   return options;
 }
 
-std::vector<Argument> LabellingArguments::arguments() {
+std::vector<Argument> RuleArguments::arguments() {
+  const Effect result = Effect::result;
   return {
-      {"--rules", &rules, "DIR", "folder of relation and feature files besides the built-in ones; may be repeated (default: the "
-       "folder `rules` beside the knowledge base, if there is one)", Effect::result},
+      {"--rules", &folders, "DIR", "folder of relation and feature files besides the built-in ones; may be repeated (default: the "
+       "folder `rules` beside the knowledge base, if there is one)", result},
+      {"--rule-instructions", &instructions, "N", "what one call into a rule file may take: Lua instructions", result, 1000, 1e15},
+      {"--rule-time", &milliseconds, "ms", "and time", result, 1, 1e9},
+      {"--rule-memory", &megabytes, "MB", "and memory of its state", result, 1, 1e6},
+      {"--relation-time", &seconds, "s", "what all calls of one relation on one scan may take", result, 0.001, 1e9},
+  };
+}
+
+rules::Budget RuleArguments::budget() const {
+  rules::Budget budget;
+  budget.instructions = static_cast<std::int64_t>(instructions);
+  budget.time = std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds));
+  budget.memory_bytes = static_cast<std::size_t>(megabytes * (1 << 20));
+  budget.total = std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1e3));
+  return budget;
+}
+
+rules::RuleSet RuleArguments::load(const kb::KnowledgeBase& base, const std::string& file) const {
+  return pipeline::load_rules(base, file, folders, budget());
+}
+
+std::vector<Argument> LabellingArguments::arguments() {
+  return joined(rules.arguments(), std::vector<Argument>{
       {"--time", &seconds, "s", "stop the search of one scan after so long and keep the best answer so far", Effect::result, 0, 1e9},
       {"--nodes", &nodes, "N", "stop the search of one scan after so many nodes", Effect::result, 0, 1e18},
       {"--alternatives", &alternatives, "N", "how many further world models to store", Effect::output, 0, 100},
       {"--paper-bound", &paper_bound, "", "search with the paper's plain heuristic instead of soft local consistency",
        Effect::speed},
-  };
+      {"--no-reasons", &no_reasons, "", "store no reasons; the labels are the same", Effect::output},
+  });
 }
 
 rules::LabellingOptions LabellingArguments::options() const {
-  rules::LabellingOptions options{.alternatives = alternatives};
+  rules::LabellingOptions options{.alternatives = alternatives, .reasons = !no_reasons};
   options.solver.bound = paper_bound ? engine::Bound::paper : engine::Bound::soft_consistency;
   options.solver.limits.interrupt = interrupt_flag();
   if (seconds) options.solver.limits.seconds = *seconds;

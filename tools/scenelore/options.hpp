@@ -24,13 +24,25 @@ struct PerceptionArguments {
   [[nodiscard]] perception::PerceptionOptions options() const;
 };
 
+/// Where rules come from, and what a rule file may use up.
+struct RuleArguments {
+  std::vector<std::string> folders;
+  double instructions = 10e6, milliseconds = 2000, megabytes = 16, seconds = 60;
+
+  [[nodiscard]] std::vector<Argument> arguments();
+  [[nodiscard]] rules::Budget budget() const;
+  /// The rules of a knowledge base under these budgets.
+  [[nodiscard]] rules::RuleSet load(const kb::KnowledgeBase& base, const std::string& file) const;
+};
+
 /// How planes become labels: rule folders, limits of the search.
 struct LabellingArguments {
-  std::vector<std::string> rules;
+  RuleArguments rules;
   std::optional<double> seconds;
   std::optional<double> nodes;
   int alternatives = 3;
   bool paper_bound = false;
+  bool no_reasons = false;
 
   [[nodiscard]] std::vector<Argument> arguments();
   /// Options with the interrupt flag that SIGINT and SIGTERM set.

@@ -36,6 +36,12 @@ std::string main_reason(const std::vector<const kb::Reason*>& reasons) {
 /// JSON has no infinity: null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json changes_json(const Report& report) {
+  Json out = Json::array();
+  for (const LabelChange& c : changes(report)) out.push_back({{"plane", c.plane}, {"was", c.was}, {"is", c.is}, {"reason", c.reason}});
+  return out;
+}
+
 Json to_json(const Report& report) {
   const kb::Inference& inference = report.inference;
   auto reasons = reasons_by_plane(inference);
@@ -67,6 +73,8 @@ Json to_json(const Report& report) {
           {"nodes", inference.run.nodes},
           {"seconds", inference.run.seconds},
           {"planes", std::move(planes)},
+          {"corrected", report.corrected},
+          {"changes", changes_json(report)},
           {"warnings", report.warnings},
           {"written", report.written}};
 }
@@ -81,6 +89,41 @@ std::string outcome_sentence(const kb::Run& run) {
 }
 
 }  // namespace
+
+std::vector<LabelChange> changes(const Report& report) {
+  std::vector<LabelChange> out;
+  if (report.before.empty()) return out;
+  std::map<kb::PlaneId, std::string> old;
+  for (const kb::Label& label : report.before) old[label.plane] = label.object_class;
+  auto reasons = reasons_by_plane(report.inference);
+  for (const kb::Label& label : report.inference.labels) {
+    const auto found = old.find(label.plane);
+    if (found == old.end() || found->second == label.object_class) continue;
+    out.push_back({label.plane, found->second, label.object_class, main_reason(reasons[label.plane])});
+  }
+  return out;
+}
+
+std::vector<kb::PlaneId> new_corrections(const kb::KnowledgeBase& base, const kb::Scan& scan) {
+  std::vector<kb::PlaneId> out;
+  for (const auto& [plane, name] : base.truth(scan.id)) {
+    const std::vector<kb::Reason> reasons = base.reasons(plane);
+    const bool known = std::any_of(reasons.begin(), reasons.end(),
+                                   [&](const kb::Reason& r) { return r.kind == "truth" && r.object_class == name; });
+    if (!known) out.push_back(plane);
+  }
+  return out;
+}
+
+void print_changes(const Report& report) {
+  if (report.before.empty()) return;
+  std::map<kb::PlaneId, std::string> now;
+  for (const kb::Label& label : report.inference.labels) now[label.plane] = label.object_class;
+  for (const kb::PlaneId plane : report.corrected) fmt::print("corrected by a person: plane {} is {}\n", plane, now[plane]);
+  const std::vector<LabelChange> all = changes(report);
+  for (const LabelChange& c : all) fmt::print("changed: plane {} was {}, is {}: {}\n", c.plane, c.was, c.is, c.reason);
+  if (all.empty()) fmt::print("no {}label changed\n", report.corrected.empty() ? "" : "other ");
+}
 
 void print_text(const Report& report, const std::string& fallback) {
   const kb::Inference& inference = report.inference;

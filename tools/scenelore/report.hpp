@@ -15,7 +15,22 @@ struct Report {
   kb::Inference inference;
   std::vector<std::string> warnings;
   std::vector<std::string> written;  ///< further files
+  std::vector<kb::Label> before;     ///< labels of the run before; empty = there was none
+  std::vector<kb::PlaneId> corrected;  ///< planes that a person has named since then
 };
+
+/// A label that is another one now, with the reason that matters most.
+struct LabelChange {
+  kb::PlaneId plane = 0;
+  std::string was, is, reason;
+};
+[[nodiscard]] std::vector<LabelChange> changes(const Report& report);
+
+/// The planes of a scan with a truth row that the stored answer does not know of yet.
+[[nodiscard]] std::vector<kb::PlaneId> new_corrections(const kb::KnowledgeBase& base, const kb::Scan& scan);
+
+/// What was corrected and what else changed; nothing when there was no answer before.
+void print_changes(const Report& report);
 
 /// `fallback` is the class that is only counted in the text form, not listed.
 void print_text(const Report& report, const std::string& fallback);

@@ -18,15 +18,14 @@ class RulesCheckCommand : public Command {
   std::string summary() const override { return "Check the rule files and the constraint rows of a knowledge base."; }
   std::string example() const override { return "scenelore rules check office.gpkg"; }
   std::vector<Argument> arguments() override {
-    return {positional("FILE", &file_, "FILE", "knowledge base file"),
-            {"--rules", &rules_, "DIR", "folder of relation and feature files besides the built-in ones; may be repeated",
-             Effect::result},
-            json_argument(json_)};
+    return joined(std::vector<Argument>{positional("FILE", &file_, "FILE", "knowledge base file"),
+            json_argument(json_)},
+                  rules_.arguments());
   }
 
   int run() override {
     const kb::KnowledgeBase base = kb::KnowledgeBase::open(file_, kb::Access::read_only);
-    const rules::RuleSet rules = pipeline::load_rules(base, file_, rules_);
+    const rules::RuleSet rules = rules_.load(base, file_);
     const std::vector<rules::Finding> findings = rules::check(base.knowledge(), rules);
     const auto errors = std::count_if(findings.begin(), findings.end(), [](const rules::Finding& f) { return f.error; });
     if (json_) {
@@ -47,7 +46,7 @@ class RulesCheckCommand : public Command {
 
  private:
   std::string file_;
-  std::vector<std::string> rules_;
+  RuleArguments rules_;
   bool json_ = false;
 };
 

@@ -52,7 +52,7 @@ class RunCommand : public Command {
     const fs::path file = kb_.empty() ? fs::path(source).replace_extension(".gpkg") : fs::path(kb_);
     const auto progress = terminal_progress(source.filename().string());
     kb::KnowledgeBase base = pipeline::open_or_create(file, knowledge_);
-    rules::RuleSet rules = pipeline::load_rules(base, file, labelling_.rules);
+    rules::RuleSet rules = labelling_.rules.load(base, file);
 
     const pipeline::Imported imported =
         pipeline::import_scan(base, source, {.perception = perception, .progress = progress});

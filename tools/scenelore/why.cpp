@@ -1,6 +1,7 @@
 // `scenelore why`: the reasons of a label, or what it would take for another one.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -24,12 +25,11 @@ class WhyCommand : public Command {
            "scenelore why office.gpkg 3 table";
   }
   std::vector<Argument> arguments() override {
-    return {positional("FILE", &file_, "FILE", "knowledge base file"),
+    return joined(std::vector<Argument>{positional("FILE", &file_, "FILE", "knowledge base file"),
             positional("PLANE", &plane_, "ID", "id of the plane"),
             {"CLASS", &object_class_, "NAME", "the class that it is not"},
-            {"--rules", &rules_, "DIR", "folder of relation and feature files besides the built-in ones; may be repeated",
-             Effect::result},
-            json_argument(json_)};
+            json_argument(json_)},
+                  rules_.arguments());
   }
 
   int run() override {
@@ -49,32 +49,63 @@ class WhyCommand : public Command {
       throw kb::Error(fmt::format("{}: plane {} has no label yet; `scenelore label {}` labels its scan", file_, plane, file_));
     }
     const std::vector<kb::Reason> reasons = base.reasons(plane);
+    const std::vector<rules::FeatureReason> features = all_features(base, scan, *label);
     if (!json_) {
       fmt::print("plane {} of {} is a {} ({:.2f})\n", plane, scan.name, label->object_class, label->probability);
-      for (const kb::Reason& reason : reasons) fmt::print("- {}\n", reason.sentence);
+      for (const kb::Reason& reason : reasons) {
+        if (reason.kind != "feature") fmt::print("- {}\n", reason.sentence);
+      }
+      fmt::print("what each feature says, in nats:\n");
+      for (const rules::FeatureReason& feature : features) fmt::print("  {}\n", feature.sentence);
       return kOk;
     }
-    Json list = Json::array();
+    Json list = Json::array(), terms = Json::array();
     for (const kb::Reason& reason : reasons) {
       list.push_back({{"kind", reason.kind},
                       {"class", reason.object_class},
                       {"constraint", reason.constraint_name ? Json(*reason.constraint_name) : Json(nullptr)},
                       {"other_plane", reason.other_plane ? Json(*reason.other_plane) : Json(nullptr)},
-                      {"amount", std::isfinite(reason.amount) ? Json(reason.amount) : Json(nullptr)},
+                      {"amount", finite(reason.amount)},
                       {"sentence", reason.sentence}});
+    }
+    for (const rules::FeatureReason& f : features) {
+      terms.push_back({{"feature", f.feature}, {"value", f.value}, {"mean", finite(f.mean)}, {"sigma", finite(f.sigma)},
+                       {"contribution", f.gain}, {"sentence", f.sentence}});
     }
     print(Json{{"plane", plane},
                {"scan", scan.name},
                {"class", label->object_class},
                {"probability", label->probability},
-               {"margin", std::isfinite(label->margin) ? Json(label->margin) : Json(nullptr)},
+               {"margin", finite(label->margin)},
                {"runner_up", label->runner_up ? Json(*label->runner_up) : Json(nullptr)},
+               {"features", std::move(terms)},
                {"reasons", std::move(list)}});
     return kOk;
   }
 
+  /// Of the label's class against its runner-up, else against the class that features like best after it.
+  std::vector<rules::FeatureReason> all_features(const kb::KnowledgeBase& base, const kb::Scan& scan, const kb::Label& label) const {
+    rules::RuleSet rules = rules_.load(base, file_);
+    const pipeline::Situation s = pipeline::assess(base, scan, rules);
+    const auto found = std::find(s.scene.ids.begin(), s.scene.ids.end(), label.plane);
+    const int plane = static_cast<int>(found - s.scene.ids.begin()), own = s.knowledge.class_index(label.object_class);
+    int other = label.runner_up ? s.knowledge.class_index(*label.runner_up) : -1;
+    const std::vector<double>& p = s.evidence[static_cast<std::size_t>(plane)];
+    for (int c = 0; other < 0 && c < static_cast<int>(p.size()); ++c) {
+      const bool better = std::none_of(p.begin(), p.end(), [&](const double& q) {
+        return q > p[static_cast<std::size_t>(c)] && &q - p.data() != own;
+      });
+      if (c != own && better) other = c;
+    }
+    if (own < 0 || other < 0) return {};
+    return rules::feature_reasons(s.knowledge, s.scene, plane, own, other);
+  }
+
+  /// JSON has no infinity and no NaN: null.
+  static Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
   int explain_other(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::PlaneId plane) const {
-    rules::RuleSet rules = pipeline::load_rules(base, file_, rules_);
+    rules::RuleSet rules = rules_.load(base, file_);
     const pipeline::Situation situation = pipeline::assess(base, scan, rules);
     const rules::WhyNot answer = rules::why_not(situation.knowledge, situation.scene, situation.evidence, situation.facts,
                                                 situation.truth, plane, *object_class_);
@@ -84,11 +115,14 @@ class WhyCommand : public Command {
     }
     Json changes = Json::array();
     for (const auto& [other, name] : answer.changes) changes.push_back({{"plane", other}, {"class", name}});
+    Json violated = Json::array();
+    for (const auto& [constraint, amount] : answer.violated) violated.push_back({{"constraint", constraint}, {"amount", amount}});
     print(Json{{"plane", plane},
                {"class", *object_class_},
                {"possible", answer.possible},
                {"extra_cost", answer.possible ? Json(answer.extra_cost) : Json(nullptr)},
                {"changes", std::move(changes)},
+               {"violated", std::move(violated)},
                {"sentences", answer.sentences}});
     return kOk;
   }
@@ -98,7 +132,7 @@ class WhyCommand : public Command {
   std::string file_;
   std::uint64_t plane_ = 0;
   std::optional<std::string> object_class_;
-  std::vector<std::string> rules_;
+  RuleArguments rules_;
   bool json_ = false;
 };
 

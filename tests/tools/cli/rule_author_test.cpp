@@ -1,0 +1,199 @@
+// What a person who writes rules does at the shell.
+#include <gmock/gmock.h>
+
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "command_line.hpp"
+
+namespace scenelore::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class RuleAuthor : public CommandLine {};
+
+TEST_F(RuleAuthor, StartsARuleThatIsInOrder) {
+  const std::string folder = "@rules";
+  Finished made = scenelore({"rules", "new", "leans_on", "--in", folder});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(scenelore({"rules", "new", "further", "--in", folder, "--extends", "near"}).code, 0);
+  for (const char* file : {"leans_on.lua", "leans_on_test.lua", "further.lua", ".luarc.json", ".luacheckrc", ".scenelore/meta.lua"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "rules" / file)) << file;
+  }
+  const Finished tested = scenelore({"rules", "test", folder});
+  EXPECT_EQ(tested.code, 0) << tested.out;
+  EXPECT_THAT(tested.out, HasSubstr("all good"));
+  EXPECT_EQ(scenelore({"rules", "new", "leans_on", "--in", folder}).code, 2);  // never overwritten
+  EXPECT_EQ(scenelore({"rules", "new", "1st", "--in", folder}).code, 2);
+  const Finished unknown = scenelore({"rules", "new", "x", "--in", folder, "--extends", "abov"});
+  EXPECT_EQ(unknown.code, 4);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'above'"));
+}
+
+TEST_F(RuleAuthor, IsToldWhichTestFails) {
+  write_file(folder_ / "rules/odd.lua", "return relation { name = 'odd', extends = 'near' }");
+  write_file(folder_ / "rules/odd_test.lua",
+             "case('far is near', function()\n  expect.holds(flat { x = 0, y = 0, z = 0, length = 1, width = 1 },\n"
+             "    flat { x = 9, y = 0, z = 0, length = 1, width = 1 })\nend)");
+  const Finished text = scenelore({"rules", "test", "@rules"}), tap = scenelore({"rules", "test", "@rules", "--tap"});
+  EXPECT_EQ(text.code, 1);
+  EXPECT_THAT(text.out, AllOf(HasSubstr("FAILED"), HasSubstr("odd_test.lua:2"), HasSubstr("far is near")));
+  EXPECT_EQ(tap.code, 1);
+  EXPECT_THAT(tap.out, AllOf(HasSubstr("TAP version 13\n1..1\n"), HasSubstr("not ok 1 - odd: far is near")));
+  const json out = json::parse(scenelore({"rules", "test", "@rules", "--json"}).out);
+  EXPECT_FALSE(out.at(0).at("passed"));
+}
+
+TEST_F(RuleAuthor, SetsTheBudget) {
+  make_labelled();
+  write_file(folder_ / "rules/near.lua",
+             "return relation { name = 'near', extends = 'near', degree = function() local n = 0\n"
+             "  for i = 1, 50000 do n = n + i end return 1 end }");
+  const Finished small = scenelore({"label", "@office.gpkg", "--rule-instructions", "20000"});
+  EXPECT_EQ(small.code, 4);
+  EXPECT_THAT(small.err, AllOf(HasSubstr("near.lua"), HasSubstr("20000 instructions")));
+  EXPECT_EQ(scenelore({"label", "@office.gpkg"}).code, 0);
+}
+
+TEST_F(RuleAuthor, ReadsWhatARelationMeans) {
+  const Finished one = scenelore({"rules", "doc", "above"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_THAT(one.out, AllOf(HasSubstr("above: a lies over b"), HasSubstr("tolerance reach = 0.25"), Not(HasSubstr("touching"))));
+  const Finished unknown = scenelore({"rules", "doc", "abov"});
+  EXPECT_EQ(unknown.code, 4);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'above'"));
+  EXPECT_THAT(scenelore({"rules", "doc", "--format", "meta"}).out, HasSubstr("---@meta"));
+  EXPECT_TRUE(json::accept(scenelore({"rules", "doc", "--format", "luarc"}).out));
+}
+
+TEST_F(RuleAuthor, SeesWhatRulesCostAndDecide) {
+  make_labelled();
+  const Finished finished = scenelore({"rules", "profile", "@office.gpkg", "--json"});
+  ASSERT_EQ(finished.code, 0) << finished.err;
+  const json out = json::parse(finished.out);
+  EXPECT_GT(out.at("relations").size(), 5U);
+  EXPECT_GT(out.at("relations").at(0).at("asked"), 0);
+  EXPECT_GT(out.at("constraints").size(), 20U);
+  EXPECT_THAT(scenelore({"rules", "profile", "@office.gpkg"}).out, HasSubstr("never decided anything in these scans"));
+}
+
+TEST_F(RuleAuthor, ExportsRelationsInThreeFormats) {
+  make_labelled();
+  const json plain = json::parse(scenelore({"relations", "@office.gpkg", "--json"}).out);
+  const std::string stored = ask("office.gpkg", "SELECT count(*) FROM relation_fact");
+  EXPECT_EQ(plain.at("relations").size(), std::stoul(stored));
+  EXPECT_EQ(plain.at("planes").size(), std::stoul(ask("office.gpkg", "SELECT count(*) FROM plane")));
+
+  const std::string graphml = scenelore({"relations", "@office.gpkg", "--graphml"}).out;
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; ++at) ++n;
+    return n;
+  };
+  EXPECT_EQ(count(graphml, "<edge "), std::stoul(stored));
+  EXPECT_EQ(count(graphml, "<node "), plain.at("planes").size());
+
+  // The fields that Spark-DSG 1.0.5 reads, without which it refuses the file.
+  const json dsg = json::parse(scenelore({"relations", "@office.gpkg", "--dsg"}).out);
+  EXPECT_EQ(dsg.at("SPARK_DSG_header").at("version").at("major"), 1);
+  EXPECT_EQ(dsg.at("layer_ids"), json({2, 3, 4, 5}));
+  std::set<std::uint64_t> ids;
+  for (const json& node : dsg.at("nodes")) {
+    EXPECT_EQ(node.at("layer"), 2);
+    EXPECT_EQ(node.at("id").get<std::uint64_t>() >> 56, std::uint64_t{'O'});
+    ids.insert(node.at("id").get<std::uint64_t>());
+    const json& attributes = node.at("attributes");
+    EXPECT_EQ(attributes.at("type"), "ObjectNodeAttributes");
+    for (const char* field : {"position", "last_update_time_ns", "is_active", "is_predicted", "name", "color", "bounding_box",
+                              "semantic_label", "semantic_feature", "mesh_connections", "registered", "world_R_object"}) {
+      EXPECT_TRUE(attributes.contains(field)) << field;
+    }
+  }
+  std::set<std::pair<std::uint64_t, std::uint64_t>> pairs;
+  for (const json& edge : dsg.at("edges")) {
+    const auto source = edge.at("source").get<std::uint64_t>(), target = edge.at("target").get<std::uint64_t>();
+    EXPECT_TRUE(ids.contains(source) && ids.contains(target));
+    EXPECT_TRUE(pairs.insert(std::minmax(source, target)).second) << "one edge a pair";
+    EXPECT_EQ(edge.at("info").at("type"), "EdgeAttributes");
+  }
+  EXPECT_EQ(scenelore({"relations", "@office.gpkg", "--json", "--dsg"}).code, 2);
+}
+
+TEST_F(RuleAuthor, LearnsWhatContradicts) {
+  make_labelled();
+  EXPECT_EQ(scenelore({"conflict", "@office.gpkg"}).code, 0);
+  edit("office.gpkg",
+       "INSERT INTO class_constraint (name, class, quantifier, count) VALUES ('no_doors', 'door', 'at_most', 0);"
+       "INSERT INTO truth VALUES (1, 'door')");
+  const Finished finished = scenelore({"conflict", "@office.gpkg", "--json"});
+  EXPECT_EQ(finished.code, 1) << finished.err;
+  const json out = json::parse(finished.out).at(0);
+  EXPECT_EQ(out.at("cannot_hold_together").size(), 2U);
+  EXPECT_THAT(scenelore({"conflict", "@office.gpkg"}).out, AllOf(HasSubstr("'no_doors'"), HasSubstr("plane 1 is door because a truth row")));
+}
+
+TEST_F(RuleAuthor, AsksWhyInNumbers) {
+  make_labelled();
+  const std::string table = ask("office.gpkg", "SELECT min(plane) FROM labelled_plane WHERE class = 'table'");
+  const json out = json::parse(scenelore({"why", "@office.gpkg", std::to_string(std::stoi(table)), "--json"}).out);
+  EXPECT_GT(out.at("features").size(), 5U);
+  for (const json& feature : out.at("features")) {
+    EXPECT_TRUE(feature.at("value").is_number());
+    EXPECT_TRUE(feature.at("contribution").is_number());
+  }
+  EXPECT_NE(ask("office.gpkg", "SELECT count(*) FROM reason WHERE kind = 'feature'"), "0\n");
+  const json not_floor = json::parse(scenelore({"why", "@office.gpkg", std::to_string(std::stoi(table)), "floor", "--json"}).out);
+  EXPECT_TRUE(not_floor.at("possible"));
+  EXPECT_FALSE(not_floor.at("violated").empty());
+  EXPECT_GT(not_floor.at("violated").at(0).at("amount"), 0);
+}
+
+TEST_F(RuleAuthor, IsToldWhatElseACorrectionChanged) {
+  make_labelled();
+  const int table = std::stoi(ask("office.gpkg", "SELECT plane FROM labelled_plane WHERE class = 'table' ORDER BY area_m2 DESC LIMIT 1"));
+  edit("office.gpkg", "UPDATE labelled_plane SET class = 'cabinet' WHERE plane = " + std::to_string(table));
+  const Finished once = scenelore({"label", "@office.gpkg"}), again = scenelore({"label", "@office.gpkg"});
+  EXPECT_EQ(once.code, 0);
+  EXPECT_THAT(once.out, HasSubstr("corrected by a person: plane " + std::to_string(table) + " is cabinet"));
+  EXPECT_THAT(again.out, AllOf(Not(HasSubstr("corrected")), HasSubstr("no label changed")));
+}
+
+TEST_F(RuleAuthor, GetsTheSameLabelsWithoutReasons) {
+  make_labelled();
+  const std::string labels = ask("office.gpkg", "SELECT * FROM label ORDER BY plane_id");
+  EXPECT_EQ(scenelore({"label", "@office.gpkg", "--no-reasons"}).code, 0);
+  EXPECT_EQ(ask("office.gpkg", "SELECT * FROM label ORDER BY plane_id"), labels);
+  EXPECT_EQ(ask("office.gpkg", "SELECT count(*) FROM reason"), "0\n");
+}
+
+TEST_F(RuleAuthor, WatchesFilesAndRows) {
+  make_labelled();
+  std::filesystem::create_directory(folder_ / "rules");
+  const pid_t child = start(full({"watch", "@office.gpkg", "--rules", "@rules", "--for", "60", "--every", "50"}), folder_);
+  const auto wait_for = [&](const std::string& text) {
+    for (int i = 0; i < 400; ++i) {
+      if (read_file(folder_ / "stdout").find(text) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  };
+  EXPECT_TRUE(wait_for("no label changed"));
+  edit("office.gpkg", "INSERT INTO truth SELECT min(plane), 'shelf' FROM labelled_plane WHERE class = 'table'");
+  EXPECT_TRUE(wait_for("was table, is shelf: "));
+  write_file(folder_ / "rules/near.lua", "return relation {\n  name = 'near', extends = 'near',\n  degree = function(a)\n    return a.nothing\n  end }");
+  EXPECT_TRUE(wait_for("near.lua:4: a plane has no 'nothing'"));
+  EXPECT_TRUE(wait_for("the labels stay as they were"));
+  kill(child, SIGINT);
+  EXPECT_EQ(finish(child, folder_).code, 0);
+}
+
+}  // namespace
+}  // namespace scenelore::test
