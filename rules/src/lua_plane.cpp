@@ -1,4 +1,6 @@
 // Planes and geometry as Lua sees them.
+#include <algorithm>
+
 #include "language_table.hpp"
 #include "rule_host.hpp"
 #include "scenelore/rules/error.hpp"
@@ -107,7 +109,8 @@ void make_plane(RuleHost& host, std::size_t index) {
   const kb::FeatureTable& features = host.scene->features;
   lua_createtable(state, 0, static_cast<int>(std::size(kFields) + features.names.size() + 2));
   if (index < features.values.size()) {
-    for (std::size_t f = 0; f < features.names.size(); ++f) {
+    // While features are being computed, the one at work has a name already, but no value.
+    for (std::size_t f = 0; f < std::min(features.names.size(), features.values[index].size()); ++f) {
       set_number(state, features.names[f].c_str(), features.values[index][f]);
     }
   }
@@ -174,6 +177,11 @@ std::vector<std::string> plane_fields(const Scene& scene) {
   for (const PlaneField& field : kFields) names.emplace_back(field.name);
   names.insert(names.end(), scene.features.names.begin(), scene.features.names.end());
   return names;
+}
+
+int plane_argument_or_none(lua_State* state, int argument) {
+  const bool userdata = lua_type(state, argument) == LUA_TUSERDATA;
+  return userdata ? static_cast<const Handle*>(lua_touserdata(state, argument))->plane : -1;
 }
 
 int plane_argument(lua_State* state, int argument, const char* function) {

@@ -46,6 +46,9 @@ void push_plane(RuleHost& host, int index);
 /// Index of the plane at stack position `argument`. Throws Error naming `function` when it is something else.
 [[nodiscard]] int plane_argument(lua_State* state, int argument, const char* function);
 
+/// The same; −1 for something else.
+[[nodiscard]] int plane_argument_or_none(lua_State* state, int argument);
+
 /// The host behind the C closure that is running.
 [[nodiscard]] RuleHost& host_of(lua_State* state);
 

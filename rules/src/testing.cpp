@@ -24,6 +24,7 @@ class TestBench {
  private:
   static int make(lua_State* state);
   static int add_global(lua_State* state);
+  static int ask(lua_State* state);
   void push_method(lua_CFunction function) {
     lua_State* state = file_.host().lua.get();
     lua_pushlightuserdata(state, this);
@@ -35,6 +36,7 @@ class TestBench {
   RuleFile file_;
   Scene scene_;
   PairGeometry geometry_;
+  RuleTestCase* current_ = nullptr;  // whose expectations are being asked
 };
 
 int TestBench::make(lua_State* state) {
@@ -61,13 +63,28 @@ int TestBench::add_global(lua_State* state) {
   return 0;
 }
 
+/// Asks the rule, and notes what was asked about which planes.
+int TestBench::ask(lua_State* state) {
+  TestBench& bench = of(state);
+  const bool pair = lua_gettop(state) == 2;
+  const int a = pair ? plane_argument_or_none(state, 1) : -1, b = pair ? plane_argument_or_none(state, 2) : -1;
+  bench.file_.push_ask();
+  lua_insert(state, 1);
+  lua_call(state, lua_gettop(state) - 1, 1);
+  if (a >= 0 && b >= 0 && bench.current_ != nullptr) {
+    const auto plane = [&](int i) { return bench.scene_.planes[static_cast<std::size_t>(i)]; };
+    bench.current_->asked.push_back({plane(a), plane(b), lua_tonumber(state, -1)});
+  }
+  return 1;
+}
+
 /// Leaves the list of cases on the stack.
 void TestBench::offer_expectations() {
   RuleHost& host = file_.host();
   host.lua.load(embedded("rules/lua/expect.lua"), LuaState::kPrelude);
   enter_environment(host);
   push_method(guarded<make>);
-  file_.push_ask();
+  push_method(guarded<ask>);
   push_method(guarded<add_global>);
   host.lua.call(3, 1);
 }
@@ -83,7 +100,8 @@ void TestBench::run(const RuleSource& test, std::vector<RuleTestCase>& cases) {
   for (lua_Integer i = 1, n = static_cast<lua_Integer>(lua_rawlen(state, list)); i <= n; ++i) {
     lua_rawgeti(state, list, i);
     lua_getfield(state, -1, "name");
-    cases.push_back({.name = lua_tostring(state, -1), .failure = {}});
+    cases.push_back({.name = lua_tostring(state, -1), .failure = {}, .asked = {}});
+    current_ = &cases.back();
     lua_pop(state, 1);
     lua_getfield(state, -1, "body");
     try {

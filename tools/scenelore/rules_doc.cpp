@@ -6,6 +6,8 @@
 #include "command_list.hpp"
 #include "exit_code.hpp"
 #include "options.hpp"
+#include "export/rule_picture.hpp"
+#include "scenelore/rules/error.hpp"
 #include "scenelore/rules/language.hpp"
 #include "usage_error.hpp"
 
@@ -21,14 +23,16 @@ class RulesDocCommand : public Command {
   std::vector<Argument> arguments() override {
     return {{"RELATION", &relation_, "NAME", "only this one (default: all)", Effect::result},
             {"--rules", &folders_, "DIR", "folder of rule files besides the built-in ones; may be repeated", Effect::result},
-            {"--format", &format_, "FORMAT", "text; or the language itself as: meta (lua-language-server), luarc, luacheckrc"}};
+            {"--format", &format_, "FORMAT", "text; svg, a picture of one relation from the planes of its tests; or the language itself as: "
+             "meta (lua-language-server), luarc, luacheckrc"}};
   }
 
   int run() override {
     if (format_ == "meta") return print(rules::language_meta());
     if (format_ == "luarc") return print(rules::language_luarc());
     if (format_ == "luacheckrc") return print(rules::language_luacheckrc());
-    if (format_ != "text") throw UsageError("--format '" + format_ + "': must be text, meta, luarc or luacheckrc");
+    if (format_ == "svg") return print(picture());
+    if (format_ != "text") throw UsageError("--format '" + format_ + "': must be text, svg, meta, luarc or luacheckrc");
     const rules::RuleSet rules = rules::RuleSet::load({folders_.begin(), folders_.end()});
     const std::string only = relation_ ? (void(rules.text(*relation_)), *relation_) : "";
     std::string out;
@@ -40,6 +44,20 @@ class RulesDocCommand : public Command {
   }
 
  private:
+  /// Of the user's relation of that name, else of the built-in one.
+  [[nodiscard]] std::string picture() const {
+    if (!relation_) throw UsageError("--format svg draws one relation: name it");
+    std::vector<rules::RuleTestFile> tests = rules::run_rule_tests();
+    if (!folders_.empty()) {
+      for (rules::RuleTestFile& file : rules::run_rule_tests({folders_.begin(), folders_.end()})) tests.insert(tests.begin(), std::move(file));
+    }
+    for (const rules::RuleTestFile& file : tests) {
+      if (file.rule != *relation_) continue;
+      if (std::string out = exports::rule_picture(file); !out.empty()) return out;
+    }
+    throw rules::Error("there is no relation '" + *relation_ + "' with a test that asks about two planes");
+  }
+
   static int print(const std::string& text) {
     fmt::print("{}", text);
     return kOk;

@@ -9,9 +9,16 @@
 
 namespace scenelore::rules {
 
+/// A question that an expectation asked of a relation.
+struct Asked {
+  perception::Plane a, b;
+  double degree = 0;
+};
+
 struct RuleTestCase {
   std::string name;     ///< the sentence given to case()
   std::string failure;  ///< empty = passed; else file:line and what was found
+  std::vector<Asked> asked;
 };
 
 struct RuleTestFile {
