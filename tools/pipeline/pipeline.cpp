@@ -34,30 +34,55 @@ Imported import_scan(kb::KnowledgeBase& base, const fs::path& source, const Impo
   return imported;
 }
 
-Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
-  Situation situation;
-  situation.knowledge = base.knowledge();
+namespace {
+
+/// The planes of a scan with the features that need no Lua.
+rules::Scene planes_of(const kb::KnowledgeBase& base, const kb::Scan& scan) {
   const std::vector<kb::StoredPlane> planes = base.planes(scan.id);
-  situation.scene = rules::make_scene(scan, planes, kb::built_in_features(scan, planes));
-  rules.compute_features(situation.scene, situation.scene.features);
+  return rules::make_scene(scan, planes, kb::built_in_features(scan, planes));
+}
+
+Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Scene scene, rules::RuleAnswers answers) {
+  Situation situation{.knowledge = base.knowledge(), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
+  situation.scene.features = std::move(answers.table);
   situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
-  situation.facts = rules.relate(situation.scene, rules::used_relations(situation.knowledge, rules), base.facts(scan.id));
   situation.truth = base.truth(scan.id);
   return situation;
+}
+
+kb::Inference label_and_store(kb::KnowledgeBase& base, const kb::Scan& scan, const Situation& situation, const std::string& rules_hash,
+                              const rules::LabellingOptions& options) {
+  kb::Inference inference = rules::label(situation.knowledge, situation.scene, situation.evidence, situation.facts,
+                                         situation.truth, options);
+  inference.run.knowledge_hash = base.knowledge_hash();
+  inference.run.rules_hash = rules_hash;
+  inference.run.engine_version = SCENELORE_VERSION;
+  base.store_features(situation.scene.ids, situation.scene.features);
+  base.store_inference(scan.id, inference);
+  return inference;
+}
+
+}  // namespace
+
+Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
+  rules::Scene scene = planes_of(base, scan);
+  rules::RuleAnswers answers = rules::answer(rules, base.knowledge(), scene, base.facts(scan.id));
+  return situation_of(base, scan, std::move(scene), std::move(answers));
 }
 
 kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
                          const rules::LabellingOptions& options) {
   base.register_features(rules.features());
-  const Situation situation = assess(base, scan, rules);
-  kb::Inference inference = rules::label(situation.knowledge, situation.scene, situation.evidence, situation.facts,
-                                         situation.truth, options);
-  inference.run.knowledge_hash = base.knowledge_hash();
-  inference.run.rules_hash = rules.hash();
-  inference.run.engine_version = SCENELORE_VERSION;
-  base.store_features(situation.scene.ids, situation.scene.features);
-  base.store_inference(scan.id, inference);
-  return inference;
+  return label_and_store(base, scan, assess(base, scan, rules), rules.hash(), options);
+}
+
+kb::Inference label_scan_isolated(kb::KnowledgeBase& base, const kb::Scan& scan, const std::vector<fs::path>& folders,
+                                  const rules::Budget& budget, const rules::LabellingOptions& options) {
+  rules::Scene scene = planes_of(base, scan);
+  rules::RuleAnswers answers = rules::answer_isolated(folders, budget, base.knowledge(), scene, base.facts(scan.id));
+  base.register_features(answers.features);
+  const std::string hash = answers.hash;
+  return label_and_store(base, scan, situation_of(base, scan, std::move(scene), std::move(answers)), hash, options);
 }
 
 kb::KnowledgeBase open_or_create(const fs::path& path, const std::string& knowledge) {

@@ -9,6 +9,7 @@
 
 #include "scenelore/kb/knowledge_base.hpp"
 #include "scenelore/perception/perceive.hpp"
+#include "scenelore/rules/isolated.hpp"
 #include "scenelore/rules/labelling.hpp"
 #include "scenelore/rules/rule_set.hpp"
 
@@ -46,6 +47,10 @@ struct Situation {
 /// Labels a stored scan with the knowledge and the rules as they are now, and stores the answer.
 kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
                          const rules::LabellingOptions& options = {});
+
+/// The same with rules from strangers, which are loaded and asked in a process of their own (rules::answer_isolated).
+kb::Inference label_scan_isolated(kb::KnowledgeBase& base, const kb::Scan& scan, const std::vector<std::filesystem::path>& folders,
+                                  const rules::Budget& budget, const rules::LabellingOptions& options = {});
 
 /// The knowledge base file at `path`: opened, or created with the named knowledge pack when there is none.
 [[nodiscard]] kb::KnowledgeBase open_or_create(const std::filesystem::path& path, const std::string& knowledge = "office");

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "command_list.hpp"
 #include "exit_code.hpp"
@@ -20,14 +21,14 @@ class LabelCommand : public Command {
   std::vector<Argument> arguments() override {
     return joined({positional("FILE", &file_, "FILE", "knowledge base file"),
                    {"--scan", &scan_, "NAME", "only this scan (default: all)", Effect::result},
+                   isolate_argument(isolate_),
                    json_argument(json_)},
                   labelling_.arguments());
   }
 
   int run() override {
     kb::KnowledgeBase base = kb::KnowledgeBase::open(file_);
-    rules::RuleSet rules = labelling_.rules.load(base, file_);
-    const rules::LabellingOptions options = labelling_.options();
+    std::optional<rules::RuleSet> rules;
     const std::vector<kb::Scan> scans = scan_.empty() && !base.scans().empty() ? base.scans()
                                                                                : std::vector{require_scan(base, file_, scan_)};
     const kb::Knowledge knowledge = base.knowledge();
@@ -36,7 +37,7 @@ class LabelCommand : public Command {
     int code = kOk;
     for (const kb::Scan& scan : scans) {
       Report report{.file = file_, .scan = scan, .before = base.labels(scan.id), .corrected = new_corrections(base, scan)};
-      report.inference = pipeline::label_scan(base, scan, rules, options);
+      report.inference = label_scan(base, file_, scan, labelling_, isolate_, rules);
       code = std::max(code, exit_code(report));
       if (!json_) {
         print_text(report, fallback);
@@ -51,7 +52,7 @@ class LabelCommand : public Command {
  private:
   std::string file_;
   std::string scan_;
-  bool json_ = false;
+  bool json_ = false, isolate_ = false;
   LabellingArguments labelling_;
 };
 

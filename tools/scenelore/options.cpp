@@ -112,6 +112,21 @@ const std::atomic<bool>* interrupt_flag() {
   return &interrupted;
 }
 
+Argument isolate_argument(bool& isolate) {
+  return {"--isolate", &isolate, "", "rules from strangers: load and ask them in a process that can write nothing and use up only so much",
+          Effect::speed};
+}
+
+kb::Inference label_scan(kb::KnowledgeBase& base, const std::string& file, const kb::Scan& scan, const LabellingArguments& arguments,
+                         bool isolate, std::optional<rules::RuleSet>& loaded) {
+  if (isolate) {
+    return pipeline::label_scan_isolated(base, scan, pipeline::rule_folders(file, arguments.rules.folders), arguments.rules.budget(),
+                                         arguments.options());
+  }
+  if (!loaded) loaded = arguments.rules.load(base, file);
+  return pipeline::label_scan(base, scan, *loaded, arguments.options());
+}
+
 Argument json_argument(bool& json) { return {"--json", &json, "", "print JSON"}; }
 
 pipeline::Progress terminal_progress(const std::string& subject) {

@@ -54,6 +54,14 @@ struct LabellingArguments {
 
 [[nodiscard]] Argument json_argument(bool& json);
 
+/// --isolate, for the commands that label.
+[[nodiscard]] Argument isolate_argument(bool& isolate);
+
+/// Labels one scan with the rules of the arguments, in this process or (isolate) in one of their own. `loaded` keeps the
+/// rules between scans.
+[[nodiscard]] kb::Inference label_scan(kb::KnowledgeBase& base, const std::string& file, const kb::Scan& scan,
+                                       const LabellingArguments& arguments, bool isolate, std::optional<rules::RuleSet>& loaded);
+
 template <typename... Lists>
 [[nodiscard]] std::vector<Argument> joined(std::vector<Argument> first, const Lists&... more) {
   (first.insert(first.end(), more.begin(), more.end()), ...);

@@ -1,6 +1,7 @@
 // `scenelore run`: the main job, scan to labels, in one command.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "command_list.hpp"
 #include "exit_code.hpp"
@@ -28,18 +29,18 @@ class RunCommand : public Command {
                    {"--kb", &kb_, "FILE", "knowledge base file, made when there is none (default: beside the scan, .gpkg)"},
                    {"--labelled", &labelled_, "FILE", "write the scan's points with plane, label, probability and class colour"},
                    {"--knowledge", &knowledge_, "PACK", "knowledge of a new file: office, paper or empty", Effect::result},
+                   isolate_argument(isolate_),
                    json_argument(json_)},
                   perception_.arguments(), labelling_.arguments());
   }
 
   int run() override {
     if (labelled_ && scans_.size() > 1) throw UsageError("--labelled takes one scan at a time");
-    const rules::LabellingOptions labelling = labelling_.options();
     const perception::PerceptionOptions perception = perception_.options();
     std::vector<Report> reports;
     int code = kOk;
     for (const std::string& scan : scans_) {
-      reports.push_back(run_one(scan, perception, labelling));
+      reports.push_back(run_one(scan, perception));
       code = std::max(code, exit_code(reports.back()));
     }
     if (json_) print_json(reports);
@@ -47,12 +48,12 @@ class RunCommand : public Command {
   }
 
  private:
-  Report run_one(const fs::path& source, const perception::PerceptionOptions& perception,
-                 const rules::LabellingOptions& labelling) {
+  Report run_one(const fs::path& source, const perception::PerceptionOptions& perception) {
     const fs::path file = kb_.empty() ? fs::path(source).replace_extension(".gpkg") : fs::path(kb_);
     const auto progress = terminal_progress(source.filename().string());
     kb::KnowledgeBase base = pipeline::open_or_create(file, knowledge_);
-    rules::RuleSet rules = labelling_.rules.load(base, file);
+    std::optional<rules::RuleSet> rules;
+    if (!isolate_) rules = labelling_.rules.load(base, file);  // a broken rule is told before the long steps
 
     const pipeline::Imported imported =
         pipeline::import_scan(base, source, {.perception = perception, .progress = progress});
@@ -60,7 +61,7 @@ class RunCommand : public Command {
     progress("labelling");
     Report report{.file = file.string(),
                   .scan = imported.scan,
-                  .inference = pipeline::label_scan(base, imported.scan, rules, labelling),
+                  .inference = label_scan(base, file, imported.scan, labelling_, isolate_, rules),
                   .warnings = imported.warnings,
                   .written = {}};
     if (labelled_) {
@@ -84,7 +85,7 @@ class RunCommand : public Command {
   std::string kb_;
   std::optional<std::string> labelled_;
   std::string knowledge_ = "office";
-  bool json_ = false;
+  bool json_ = false, isolate_ = false;
   PerceptionArguments perception_;
   LabellingArguments labelling_;
 };

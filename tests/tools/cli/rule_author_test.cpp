@@ -174,6 +174,20 @@ TEST_F(RuleAuthor, GetsTheSameLabelsWithoutReasons) {
   EXPECT_EQ(ask("office.gpkg", "SELECT count(*) FROM reason"), "0\n");
 }
 
+TEST_F(RuleAuthor, RunsRulesFromStrangersInAProcessOfTheirOwn) {
+  make_labelled();
+  const std::string labels = ask("office.gpkg", "SELECT * FROM label ORDER BY plane_id");
+  write_file(folder_ / "rules/near.lua", "return relation { name = 'near', extends = 'near' }");
+  const Finished isolated = scenelore({"label", "@office.gpkg", "--isolate"});
+  EXPECT_EQ(isolated.code, 0) << isolated.err;
+  EXPECT_EQ(ask("office.gpkg", "SELECT * FROM label ORDER BY plane_id"), labels);
+  write_file(folder_ / "rules/near.lua", "return relation { name = 'near', extends = 'near', degree = function() return a end }");
+  const Finished broken = scenelore({"label", "@office.gpkg", "--isolate"});
+  EXPECT_EQ(broken.code, 4);
+  EXPECT_THAT(broken.err, AllOf(HasSubstr("near.lua:1"), HasSubstr("'a' is not declared")));
+  EXPECT_EQ(ask("office.gpkg", "SELECT * FROM label ORDER BY plane_id"), labels);
+}
+
 TEST_F(RuleAuthor, WatchesFilesAndRows) {
   make_labelled();
   std::filesystem::create_directory(folder_ / "rules");
