@@ -3,8 +3,8 @@ std = "none"
 max_line_length = 130
 exclude_files = { "**/.scenelore" }
 read_globals = {
-  "relation", "feature", "falloff", "_G", "_VERSION", "assert", "error", "ipairs", "pairs", "pcall", "rawget",
-  "rawlen", "select", "tonumber", "tostring", "type",
+  "relation", "feature", "constraint", "falloff", "_G", "_VERSION", "assert", "error", "ipairs", "pairs", "pcall",
+  "rawget", "rawlen", "select", "tonumber", "tostring", "type",
   geometry = { fields = {
     "angle", "gap", "footprint_overlap", "vertical_gap", "plane_distance", "side", "centroid_distance"
   } },

@@ -238,6 +238,18 @@ local function with_base(t)
   return whole, base
 end
 
+local function checked_degree(d)
+  if d == true then return 1 end
+  if d == false then return 0 end
+  if mathtype(d) == nil then
+    error(format("degree returned %s; it must return a number from 0 to 1, true or false", describe(d)), 0)
+  end
+  if not (d >= 0 and d <= 1 + 1e-9) then
+    error(format("degree returned %s; it must lie in 0 to 1", describe(d)), 0)
+  end
+  return d > 1 and 1 or d
+end
+
 local function asker(r, self)
   local applies, degree = r.applies, r.degree
   return function(a, b)
@@ -246,16 +258,7 @@ local function asker(r, self)
       if may == false then return 0 end
       if may ~= true then error(format("applies returned %s; it must return true or false", describe(may)), 0) end
     end
-    local d = degree(a, b, self)
-    if d == true then return 1 end
-    if d == false then return 0 end
-    if mathtype(d) == nil then
-      error(format("degree returned %s; it must return a number from 0 to 1, true or false", describe(d)), 0)
-    end
-    if not (d >= 0 and d <= 1 + 1e-9) then
-      error(format("degree returned %s; it must lie in 0 to 1", describe(d)), 0)
-    end
-    return d > 1 and 1 or d
+    return checked_degree(degree(a, b, self))
   end
 end
 
@@ -302,6 +305,44 @@ function environment.feature(t)
         error(format("value returned %s; it must return a number, or nil where it is not known", describe(x)), 0)
       end
       return x
+    end,
+  }
+end
+
+local constraint_fields = {
+  api = checks.api, name = checks.name, summary = checks.text, within = checks.distance, applies = checks.call,
+  degree = checks.call,
+  classes = function(v)
+    local good = type(v) == "table" and #v >= 2 and #v <= 4
+    for i = 1, good and #v or 0 do good = good and type(v[i]) == "string" end
+    return good, "must list the classes of two to four planes, that of the first first"
+  end,
+  quantifier = function(v) return v == "no" or v == "every", "must be 'no' or 'every'" end,
+  weight = function(v) return v == "hard" or (mathtype(v) ~= nil and v > 0 and v < huge), "must be nats above 0, or 'hard'" end,
+}
+local constraint_needs = { "api", "name", "summary", "classes", "quantifier", "weight", "within", "degree" }
+
+-- `return constraint { … }`: what a row cannot say, since it speaks of more than two planes at once.
+function environment.constraint(t)
+  if type(t) ~= "table" then error("constraint: write constraint { name = …, … } with braces", 2) end
+  local known = sorted_keys(constraint_fields)
+  for _, key in next, sorted_keys(t) do
+    if not constraint_fields[key] then unknown_field("constraint", t, key, known) end
+  end
+  check_fields("constraint", t, constraint_fields, constraint_needs)
+  local applies, degree = t.applies, t.degree
+  local classes = ""
+  for i = 1, #t.classes do classes = classes .. t.classes[i] .. "\n" end
+  return {
+    kind = "constraint", name = t.name, summary = t.summary, quantifier = t.quantifier, within = t.within, classes = classes,
+    weight = t.weight == "hard" and huge or t.weight,
+    ask = function(...)
+      if applies then
+        local may = applies(...)
+        if may == false then return -1 end
+        if may ~= true then error(format("applies returned %s; it must return true or false", describe(may)), 0) end
+      end
+      return checked_degree(degree(...))
     end,
   }
 end

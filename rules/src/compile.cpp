@@ -82,6 +82,7 @@ class Compiler {
   void add_pair(int row, int subject, int other, int a, int b, double forth, double back);
   void add_count(int row, int subject, int other);
   void add_scene_count(int row, int subject);
+  void add_tuples(int row, const TupleConstraint& constraint);
   [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
@@ -161,8 +162,39 @@ void Compiler::add_variables() {
   }
 }
 
+/// If the first plane is what the constraint says, at most all but one of the others are: then the tuple does not hold.
+/// Exact for any number of planes, since the engine counts.
+void Compiler::add_tuples(int index, const TupleConstraint& constraint) {
+  std::vector<int> classes;
+  for (const std::string& name : constraint.classes) classes.push_back(require_class(knowledge_, name, row_name(rows(index))));
+  if (std::find(classes.begin(), classes.end(), fallback_) != classes.end()) return;
+  for (const TupleConstraint::Tuple& tuple : constraint.tuples) {
+    if (tuple.planes.size() != classes.size() || !(tuple.degree >= 0 && tuple.degree <= 1)) {
+      throw Error(row_name(rows(index)) + ": a tuple needs a degree from 0 to 1 and " + std::to_string(classes.size()) + " planes");
+    }
+    std::vector<Literal> literals;
+    std::vector<int> planes;
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      const auto found = std::find(scene_.ids.begin(), scene_.ids.end(), tuple.planes[i]);
+      if (found == scene_.ids.end()) throw Error(row_name(rows(index)) + ": there is no plane " + std::to_string(tuple.planes[i]));
+      planes.push_back(static_cast<int>(found - scene_.ids.begin()));
+      if (label(planes.back(), classes[i]) >= 0) literals.push_back(literal(planes.back(), classes[i]));
+    }
+    if (literals.size() < classes.size()) continue;  // truth rules it out
+    const double cost = rows(index).weight ? *rows(index).weight * (constraint.every ? 1 - tuple.degree : tuple.degree)
+                        : (tuple.degree >= hold_) == constraint.every ? 0 : hard_weight(planes[0]);
+    if (cost <= 0) continue;
+    engine::Cardinality body{.condition = literals[0], .literals = {literals.begin() + 1, literals.end()}};
+    body.high = static_cast<int>(body.literals.size()) - 1;
+    add(index, planes[0], planes[1], cost, std::move(body));
+  }
+}
+
 void Compiler::add_row(int index) {
   const kb::ClassConstraint& row = rows(index);
+  for (const TupleConstraint& constraint : facts_.constraints) {
+    if (constraint.name == row.name) return add_tuples(index, constraint);
+  }
   const int subject = require_class(knowledge_, row.object_class, row_name(row));
   const int other = row.other_class ? require_class(knowledge_, *row.other_class, row_name(row)) : -1;
   if (row.weight && !(*row.weight >= 0 && std::isfinite(*row.weight))) {
@@ -304,6 +336,17 @@ void Compiler::add_scene_count(int index, int subject) {
 
 double hold_degree(const kb::Knowledge& knowledge) {
   return number_setting(knowledge, "hold_degree", 0.5, 1e-9, 1);
+}
+
+kb::Knowledge with_tuple_constraints(kb::Knowledge knowledge, const Facts& facts) {
+  std::int64_t id = 0;
+  for (const TupleConstraint& c : facts.constraints) {
+    knowledge.constraints.push_back({.id = --id, .name = c.name, .object_class = c.classes.at(0),
+                                     .quantifier = c.every ? Quantifier::every : Quantifier::no, .relation = std::nullopt,
+                                     .other_class = c.classes.at(1), .count = std::nullopt, .weight = c.weight,
+                                     .message = c.summary, .enabled = true});
+  }
+  return knowledge;
 }
 
 std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const RuleSet& rules) {

@@ -93,6 +93,21 @@ void write_answers(Writer& out, const RuleAnswers& answers) {
     out.text(asked.inputs_sha256);
     out.text(asked.facts_sha256);
   }
+  out.number(answers.facts.constraints.size());
+  for (const TupleConstraint& c : answers.facts.constraints) {
+    out.text(c.name);
+    out.text(c.summary);
+    out.number(c.classes.size());
+    for (const std::string& name : c.classes) out.text(name);
+    out.number(c.every);
+    out.number(c.weight.value_or(-1));
+    out.number(c.within);
+    out.number(c.tuples.size());
+    for (const TupleConstraint::Tuple& tuple : c.tuples) {
+      for (const kb::PlaneId plane : tuple.planes) out.number(plane);
+      out.number(tuple.degree);
+    }
+  }
   out.text(answers.hash);
 }
 
@@ -133,6 +148,21 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
     asked.inputs_sha256 = in.text();
     asked.facts_sha256 = in.text();
     out.facts.reach[relation] = {asked.within, asked.within_plan};
+  }
+  for (std::size_t i = 0, n = in.count(); i < n; ++i) {
+    TupleConstraint c{.name = in.text(), .summary = {}, .classes = {}, .weight = {}, .tuples = {}};
+    c.summary = in.text();
+    for (std::size_t k = 0, m = in.count(); k < m; ++k) c.classes.push_back(in.text());
+    c.every = in.number<bool>();
+    const auto weight = in.number<double>();
+    if (weight > 0) c.weight = weight;
+    c.within = in.number<double>();
+    for (std::size_t k = 0, m = in.count(); k < m; ++k) {
+      TupleConstraint::Tuple& tuple = c.tuples.emplace_back();
+      for (std::size_t p = 0; p < c.classes.size(); ++p) tuple.planes.push_back(in.number<kb::PlaneId>());
+      tuple.degree = in.number<double>();
+    }
+    out.facts.constraints.push_back(std::move(c));
   }
   out.hash = in.text();
   return out;
@@ -191,6 +221,7 @@ RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
   rules.compute_features(scene, scene.features);
   out.table = scene.features;
   out.facts = rules.relate(scene, used_relations(knowledge, rules), known);
+  out.facts.constraints = rules.constraints(scene, knowledge);
   out.hash = rules.hash();
   return out;
 }

@@ -25,6 +25,7 @@ struct Global {
 constexpr Global kGlobals[] = {
     {"relation", "declaration: RelationDeclaration", "table", "Declares a relation: return relation { … }"},
     {"feature", "declaration: FeatureDeclaration", "table", "Declares a feature: return feature { … }"},
+    {"constraint", "declaration: ConstraintDeclaration", "table", "Declares a constraint over several planes: return constraint { … }"},
     {"falloff", "value: number, full: number, none: number", "number 0 to 1",
      "1 up to `full`, 0 from `none` on, a straight line in between; with full > none the other way round"},
 };
@@ -122,6 +123,14 @@ std::string language_meta() {
       "---@field name string\n---@field unit string\n---@field low number\n---@field high number\n"
       "---@field value fun(p: Plane): number|nil nil = not known\n"
       "---@field scale? \"linear\"|\"log\"|\"circular\"\n---@field summary? string\n---@field api? integer\n\n"
+      "---@class ConstraintDeclaration\n"
+      "---@field api integer\n---@field name string\n---@field summary string said in reasons\n"
+      "---@field classes string[] of two to four planes\n"
+      "---@field quantifier \"no\"|\"every\"\n"
+      "---@field weight number|\"hard\" nats for each tuple of planes\n"
+      "---@field within number metres between the box of the first plane and those of the others\n"
+      "---@field applies? fun(...: Plane): boolean cheap; false = the tuple costs nothing\n"
+      "---@field degree fun(...: Plane): number|boolean from 0 to 1\n\n"
       "---@class MadePlane\n"
       "---@field x number\n---@field y number\n---@field z number\n---@field length number\n---@field width number\n"
       "---@field turn? number degrees\n---@field lean? number degrees\n---@field facing? number degrees\n\n";

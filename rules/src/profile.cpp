@@ -34,7 +34,10 @@ Profile profile(const kb::Knowledge& knowledge, const Scene& scene, const std::v
   for (const RelationInfo& relation : rules.relations()) {
     if (!relation.file.starts_with("rules/relations/")) names.push_back(relation.name);
   }
-  const Facts facts = rules.relate(scene, names);
+  Facts facts = rules.relate(scene, names);
+  kb::Knowledge rows = knowledge;  // without those of Lua constraints, which are made anew
+  std::erase_if(rows.constraints, [](const kb::ClassConstraint& row) { return row.id < 0; });
+  facts.constraints = rules.constraints(scene, rows);
   Profile out{.relations = facts.counts, .rows = {}};
 
   const LabellingProblem compiled = compile(knowledge, scene, evidence, facts, truth);

@@ -1,5 +1,6 @@
 #include "rule_file.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,16 @@ namespace scenelore::rules {
 namespace {
 
 constexpr const char* kHowToReturn = "the file must end with  return relation { … }  or  return feature { … }";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    out.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return out;
+}
 
 kb::Scale scale_of(const std::string& name) {
   return name == "log" ? kb::Scale::log : name == "circular" ? kb::Scale::circular : kb::Scale::linear;
@@ -41,7 +52,7 @@ void RuleFile::take_over() {
   lua_rawget(state, -2);
   const bool callable = lua_isfunction(state, -1);
   ask_ = luaL_ref(state, LUA_REGISTRYINDEX);
-  if (!callable || (kind != "relation" && kind != "feature")) {
+  if (!callable || (kind != "relation" && kind != "feature" && kind != "constraint")) {
     throw Error(source_.shown + ": returned a plain table; " + kHowToReturn);
   }
   name_ = text_field("name");
@@ -63,6 +74,13 @@ void RuleFile::take_over() {
       }
     }
     lua_pop(state, 1);
+  } else if (kind == "constraint") {
+    kind_ = Kind::constraint;
+    const double weight = number_field("weight");
+    constraint_ = {.name = name_, .summary = text_field("summary"), .classes = lines_of(text_field("classes")),
+                   .every = text_field("quantifier") == "every",
+                   .weight = std::isfinite(weight) ? std::optional(weight) : std::nullopt, .within = number_field("within"),
+                   .tuples = {}};
   } else {
     kind_ = Kind::feature;
     feature_ = {.name = name_, .unit = text_field("unit"), .scale = scale_of(text_field("scale")),
@@ -113,6 +131,22 @@ double RuleFile::degree(int a, int b) {
   const double degree = lua_tonumber(state, -1);
   lua_pop(state, 1);
   return degree;
+}
+
+std::optional<double> RuleFile::degree(const std::vector<int>& planes) {
+  lua_State* state = host_->lua.get();
+  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+  for (const int plane : planes) push_plane(*host_, plane);
+  try {
+    host_->lua.call(static_cast<int>(planes.size()), 1);
+  } catch (const Error& error) {
+    std::string who;
+    for (const int plane : planes) who += " " + std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]);
+    throw located(error, " (constraint '" + name_ + "', planes" + who + ")");
+  }
+  const double degree = lua_tonumber(state, -1);
+  lua_pop(state, 1);
+  return degree < 0 ? std::nullopt : std::optional(degree);
 }
 
 double RuleFile::value(int plane) {

@@ -20,7 +20,7 @@ struct RuleSource {
 
 class RuleFile {
  public:
-  enum class Kind { relation, feature };
+  enum class Kind { relation, feature, constraint };
 
   /// Runs the file. Throws Error naming file, line and field for anything that is not a relation or feature.
   RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides = {});
@@ -30,6 +30,7 @@ class RuleFile {
   [[nodiscard]] const RuleSource& source() const { return source_; }
   [[nodiscard]] const RelationInfo& relation() const { return relation_; }
   [[nodiscard]] const kb::Feature& feature() const { return feature_; }
+  [[nodiscard]] const TupleConstraint& constraint() const { return constraint_; }
 
   /// The planes that degree and value speak of by index; both must live as long as they are asked about.
   void look_at(const Scene* scene, PairGeometry* geometry);
@@ -38,6 +39,8 @@ class RuleFile {
   double degree(int a, int b);
   /// NaN = not known.
   double value(int plane);
+  /// Of a constraint over several planes; nothing where it does not apply.
+  std::optional<double> degree(const std::vector<int>& planes);
 
   /// Pushes the checked function behind degree or value.
   void push_ask() { lua_rawgeti(host_->lua.get(), LUA_REGISTRYINDEX, ask_); }
@@ -55,6 +58,7 @@ class RuleFile {
   std::string name_;
   RelationInfo relation_;
   kb::Feature feature_;
+  TupleConstraint constraint_;
   int ask_ = LUA_NOREF;
 };
 

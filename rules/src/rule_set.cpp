@@ -9,6 +9,7 @@
 
 #include "fact_inputs.hpp"
 #include "lua_files.hpp"
+#include "names.hpp"
 #include "rule_file.hpp"
 #include "rule_sources.hpp"
 #include "scenelore/kb/sha256.hpp"
@@ -56,7 +57,7 @@ struct RuleSet::Implementation {
 
   Budget budget;
   std::map<std::string, Overrides> overrides;  // by relation
-  Entries relations, features;
+  Entries relations, features, tuple_constraints;
 
   [[nodiscard]] RuleFile& file(Entry& entry) {
     if (!entry.file) entry.file = std::make_unique<RuleFile>(entry.source, budget, overrides);
@@ -73,7 +74,9 @@ struct RuleSet::Implementation {
 
   void add(RuleSource source) {
     auto file = std::make_unique<RuleFile>(source, budget, overrides);
-    Entries& entries = file->kind() == RuleFile::Kind::relation ? relations : features;
+    Entries& entries = file->kind() == RuleFile::Kind::relation  ? relations
+                       : file->kind() == RuleFile::Kind::feature ? features
+                                                                 : tuple_constraints;
     const auto before = entries.find(file->name());
     if (before != entries.end() && !is_built_in(before->second.source)) {
       throw Error(source.shown + ": the name '" + file->name() + "' is taken by " + before->second.source.shown);
@@ -180,7 +183,7 @@ std::string RuleSet::hash() const {
     hash.add(text);
   };
   add(embedded("rules/lua/prelude.lua"));
-  for (const auto* entries : {&implementation_->relations, &implementation_->features}) {
+  for (const auto* entries : {&implementation_->relations, &implementation_->features, &implementation_->tuple_constraints}) {
     for (const auto& [name, entry] : *entries) {
       add(name);
       add(entry.source.text);
@@ -234,6 +237,53 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
                 [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
     }
     out.reach[name] = {asked.within, asked.within_plan};
+  }
+  return out;
+}
+
+std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::Knowledge& knowledge) {
+  std::vector<TupleConstraint> out;
+  if (implementation_->tuple_constraints.empty()) return out;
+  PairGeometry geometry(scene.planes);
+  const std::vector<Box3> boxes = boxes_of(scene.planes);
+  for (auto& [name, entry] : implementation_->tuple_constraints) {
+    RuleFile& file = implementation_->file(entry);
+    TupleConstraint constraint = file.constraint();
+    for (const std::string& object_class : constraint.classes) (void)require_class(knowledge, object_class, file.source().shown);
+    for (const kb::ClassConstraint& row : knowledge.constraints) {
+      if (row.name == name) throw Error(file.source().shown + ": the name '" + name + "' is taken by a row of class_constraint");
+    }
+    const Clock::time_point start = Clock::now();
+    std::int64_t asked = 0;
+    file.look_at(&scene, &geometry);
+    for (int a = 0; a < geometry.size(); ++a) {
+      std::vector<int> near;
+      for (int b = 0; b < geometry.size(); ++b) {
+        const auto box = [&](int i) -> const Box3& { return boxes[static_cast<std::size_t>(i)]; };
+        if (b != a && in_reach(box(a), box(b), constraint.within, constraint.within)) near.push_back(b);
+      }
+      std::vector<int> tuple{a};
+      const auto extend = [&](const auto& self) -> void {
+        if (tuple.size() == constraint.classes.size()) {
+          if (asked++ % 64 == 0) implementation_->check_total(file, start, asked);
+          const std::optional<double> degree = file.degree(tuple);
+          if (!degree || (constraint.every ? *degree >= 1 : *degree <= 0)) return;
+          std::vector<kb::PlaneId> ids;
+          for (const int plane : tuple) ids.push_back(scene.ids[static_cast<std::size_t>(plane)]);
+          constraint.tuples.push_back({std::move(ids), *degree});
+          return;
+        }
+        for (const int b : near) {
+          if (std::find(tuple.begin(), tuple.end(), b) != tuple.end()) continue;
+          tuple.push_back(b);
+          self(self);
+          tuple.pop_back();
+        }
+      };
+      extend(extend);
+    }
+    file.look_at(nullptr, nullptr);
+    out.push_back(std::move(constraint));
   }
   return out;
 }

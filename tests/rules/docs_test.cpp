@@ -24,7 +24,7 @@ std::map<std::string, std::string> snippets(const std::string& text) {
 
 TEST(RulesTutorial, RunsAsWritten) {
   const auto files = snippets(test::read_file(SCENELORE_SOURCE_DIR "/docs/rules.md"));
-  ASSERT_EQ(files.size(), 4U);
+  ASSERT_EQ(files.size(), 5U);
   const test::TemporaryFolder folder;
   for (const auto& [name, text] : files) test::write_file(folder / name, text);
   const RuleSet rules = RuleSet::load({folder.path()});

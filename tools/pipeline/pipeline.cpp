@@ -45,6 +45,7 @@ rules::Scene planes_of(const kb::KnowledgeBase& base, const kb::Scan& scan) {
 Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Scene scene, rules::RuleAnswers answers) {
   Situation situation{.knowledge = base.knowledge(), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
   situation.scene.features = std::move(answers.table);
+  situation.knowledge = rules::with_tuple_constraints(std::move(situation.knowledge), situation.facts);
   situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
   situation.truth = base.truth(scan.id);
   return situation;

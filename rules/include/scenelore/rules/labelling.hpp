@@ -18,6 +18,10 @@ namespace scenelore::rules {
 /// Names of the relations that enabled constraint rows use. Throws Error with "did you mean" for one that `rules` lacks.
 [[nodiscard]] std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const RuleSet& rules);
 
+/// The knowledge with a row for each Lua constraint of the facts, so that labels, reasons and profiles speak of it as of any
+/// other row: named as it is, its summary as message, id −1, −2, …
+[[nodiscard]] kb::Knowledge with_tuple_constraints(kb::Knowledge knowledge, const Facts& facts);
+
 /// Where a constraint of the problem comes from.
 struct ConstraintOrigin {
   int row = -1;  ///< index into Knowledge::constraints

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,25 @@ struct Reach {
   double within_plan = std::numeric_limits<double>::infinity();
 };
 
+/// A constraint written in Lua, over two to four planes at once, and what it found in a scene.
+struct TupleConstraint {
+  std::string name, summary;
+  std::vector<std::string> classes;  ///< of the planes, that of the first first
+  bool every = false;                ///< each tuple pays weight · (1 − degree); else (`no`) weight · degree
+  std::optional<double> weight;      ///< nats; nothing = hard
+  double within = 0;                 ///< metres between the box of the first plane and those of the others
+  struct Tuple {
+    std::vector<kb::PlaneId> planes;
+    double degree = 0;
+  };
+  std::vector<Tuple> tuples;         ///< by planes; those that pay nothing are left out
+};
+
 struct Facts {
   std::vector<kb::RelationFact> facts;  ///< by relation, a, b
   std::vector<RelationCount> counts;
   std::map<std::string, Reach> reach;  ///< by relation; one without an entry reaches everywhere
+  std::vector<TupleConstraint> constraints;  ///< of Lua files, by name
   std::map<std::string, kb::RelationAsked> asked;  ///< by relation; what the knowledge base keeps beside the facts
 };
 
@@ -77,6 +93,9 @@ class RuleSet {
   /// planes are those of an entry of `known` is not asked at all.
   Facts relate(const Scene& scene, const std::vector<std::string>& relations,
                const std::map<std::string, kb::StoredFacts>& known = {});
+  /// The constraints of Lua files with the tuples of planes that cost something. Throws Error for a class that is not there,
+  /// and for a name that a row has too.
+  std::vector<TupleConstraint> constraints(const Scene& scene, const kb::Knowledge& knowledge);
   /// The degree of one relation between two planes by index, wherever they are; for checks and tests.
   [[nodiscard]] double degree(const std::string& relation, const Scene& scene, int a, int b) const;
 
