@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <thread>
 
 #include "scenelore/perception/perceive.hpp"
@@ -14,11 +16,20 @@ namespace scenelore::experiment {
 
 namespace {
 
-Room perceive_room(const simulator::SimulationOptions& options) {
+/// Directions off z by 0 to `most` radians; the golden ratio spreads seeds evenly.
+Eigen::Vector3d tilted_up(std::uint64_t seed, double most) {
+  const auto spread = [seed](double factor) { return std::fmod(static_cast<double>(seed) * factor, 1.0); };
+  const double angle = most * spread(0.6180339887), around = 2 * std::numbers::pi * spread(0.7548776662);
+  return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
+}
+
+Room perceive_room(const simulator::SimulationOptions& options, double up_error_deg) {
   Room room;
   room.scan = simulator::simulate(options);
   const perception::Cloud cloud = perception::to_cloud(room.scan.points, "simulated room");
-  const perception::Perception seen = perception::perceive(cloud, {.threads = 1});
+  perception::PerceptionOptions how{.threads = 1};
+  if (up_error_deg > 0) how.up = tilted_up(options.seed, up_error_deg * std::numbers::pi / 180);
+  const perception::Perception seen = perception::perceive(cloud, how);
   room.record = {.name = "room", .rotation = seen.upright.rotation, .floor_z = seen.upright.floor_z};
   room.planes = stored(seen.planes);
   room.truth = plane_truth(room.scan, seen.plane_of_point, seen.planes.size());
@@ -28,13 +39,13 @@ Room perceive_room(const simulator::SimulationOptions& options) {
 
 }  // namespace
 
-std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads) {
+std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads, double up_error_deg) {
   std::vector<Room> out(rooms.size());
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> workers;
   for (int t = 0; t < threads; ++t) {
     workers.emplace_back([&] {
-      for (std::size_t i = next++; i < rooms.size(); i = next++) out[i] = perceive_room(rooms[i]);
+      for (std::size_t i = next++; i < rooms.size(); i = next++) out[i] = perceive_room(rooms[i], up_error_deg);
     });
   }
   workers.clear();

@@ -19,7 +19,10 @@ struct Room {
 };
 
 /// Simulates and segments one room after another on `threads` threads; the result does not depend on them.
-[[nodiscard]] std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads = 2);
+/// `up_error_deg` > 0: instead of estimating up, perception is told a direction that is off by 0 to that much, differently in
+/// each room. Real cameras bend planes and tilt what they see in ways that the simulator does not.
+[[nodiscard]] std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads = 2,
+                                               double up_error_deg = 0);
 
 /// Class names, one a plane.
 struct Labelling {
