@@ -330,12 +330,11 @@ void Network::turn_order() {
 /// Existential directional consistency depends on the order of the variables: costs go to those that come first. Shifting
 /// them to the one end and then to the other one closes most of the gap between it and the best bound that shifting can
 /// give (optimal soft arc consistency), at a small part of what that one takes.
-bool Network::strengthen() {
-  constexpr int kMostTurns = 8;
+bool Network::strengthen(int most_turns, int most_idle) {
   if (!propagate()) return false;
   if (!shifting_ || (binary_.empty() && requirements_.empty() && cardinalities_.empty())) return true;
   int idle = 0;
-  for (int turn = 0; turn < kMostTurns && idle < 2; ++turn) {
+  for (int turn = 0; turn < most_turns && idle < most_idle; ++turn) {
     const Cost before = bound();
     turn_order();
     if (!propagate()) return false;

@@ -138,8 +138,9 @@ class Network {
   bool remove(int v, int label);
   /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
   bool propagate();
-  /// propagate(), then again with the order of shifting turned round, to and fro as long as the bound rises by it.
-  bool strengthen();
+  /// propagate(), then again with the order of shifting turned round, to and fro: at most so often, and until that many
+  /// turns one after the other hardly raised the bound.
+  bool strengthen(int most_turns = 8, int most_idle = 2);
   /// After a failure: the constraint that did it, −1 = the bound; and the variable that ran out of labels, −1.
   int failed_constraint() const { return failed_constraint_; }
   int failed_variable() const { return failed_variable_; }

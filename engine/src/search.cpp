@@ -75,7 +75,7 @@ bool Search::enter(const std::vector<Decision>& path) {
   network_.set_limit(limit_);
   for (const Decision& decision : path)
     if (!apply(decision)) return false;
-  return network_.propagate();
+  return network_.strengthen();
 }
 
 /// All variables have one label: is it a better assignment?
@@ -131,7 +131,7 @@ void Search::burst(const Open& open) {
                                    report_.real(network_.bound()));
       network_.push();
       network_.set_limit(limit_);
-      alive = apply(decision) && network_.propagate();
+      alive = apply(decision) && network_.strengthen(1, 1);
       if (!alive) learn_from_failure(decision, static_cast<int>(frames_.size()));
       continue;
     }
@@ -154,7 +154,7 @@ void Search::burst(const Open& open) {
     const Decision other{frame.decision.variable, frame.decision.label, !frame.decision.equal};
     path_.push_back(other);
     network_.set_limit(limit_);
-    alive = apply(other) && network_.propagate();
+    alive = apply(other) && network_.strengthen(1, 1);
     if (!alive) learn_from_failure(other, static_cast<int>(frames_.size()));
   }
   while (network_.level() > base) network_.pop();
