@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace scenelore::engine {
@@ -60,23 +61,29 @@ bool labels_exist(const Problem& problem, const std::vector<int>& assignment) {
 
 }  // namespace
 
-Check check(const Problem& problem, const std::vector<int>& assignment) {
+Check check(const Problem& problem, const std::vector<int>& assignment, const std::vector<int>& constraints) {
   Check result;
   result.cost = kInfinity;
   if (!labels_exist(problem, assignment)) return result;
   double cost = 0;
   for (std::size_t v = 0; v < assignment.size(); ++v)
     cost += problem.variables()[v].costs[static_cast<std::size_t>(assignment[v])];
-  for (std::size_t c = 0; c < problem.constraints().size(); ++c) {
-    const Constraint& constraint = problem.constraints()[c];
+  for (const int c : constraints) {
+    const Constraint& constraint = problem.constraints()[static_cast<std::size_t>(c)];
     const double amount = std::visit(Price{problem, assignment, constraint.weight}, constraint.body);
     if (!(amount > 0)) continue;
-    result.violations.push_back({static_cast<int>(c), amount});
+    result.violations.push_back({c, amount});
     cost += amount;
   }
   result.valid = std::isfinite(cost);
   result.cost = cost;
   return result;
+}
+
+Check check(const Problem& problem, const std::vector<int>& assignment) {
+  std::vector<int> all(problem.constraints().size());
+  std::iota(all.begin(), all.end(), 0);
+  return check(problem, assignment, all);
 }
 
 }  // namespace scenelore::engine

@@ -8,7 +8,8 @@ namespace {
 
 class ConflictFinder {
  public:
-  ConflictFinder(const Problem& problem, const Scale& scale) : problem_(problem), scale_(scale) {
+  ConflictFinder(const Problem& problem, const Scale& scale, const Limits& limits)
+      : problem_(problem), scale_(scale), budget_(limits) {
     for (std::size_t c = 0; c < problem.constraints().size(); ++c)
       if (may_forbid(problem, problem.constraints()[c])) hard_.push_back(static_cast<int>(c));
   }
@@ -20,6 +21,7 @@ class ConflictFinder {
     std::sort(core.begin(), core.end());
     return core;
   }
+  bool limit_struck() { return budget_.exhausted(); }
 
  private:
   static bool may_forbid(const Problem& problem, const Constraint& constraint) {
@@ -30,21 +32,22 @@ class ConflictFinder {
     return std::find(costs.begin(), costs.end(), kHard) != costs.end();
   }
 
+  /// When a limit strikes: true, so that nothing is left out without proof.
   bool satisfiable(const std::vector<int>& constraints) {
+    if (budget_.exhausted()) return true;
     std::vector<char> use(problem_.constraints().size() + 1, 0);
     for (const int c : constraints) use[static_cast<std::size_t>(c)] = 1;
     Decomposition parts = decompose(problem_, scale_, Bound::paper, {.constraints = use, .labels = {}});
     if (parts.broken >= 0) return false;
-    Budget budget{Limits{}};
     const Search::Report silent;
     for (Component& component : parts.components) {
       if (!component.feasible) return false;
       bool found = false;
-      Search(component.network, budget, silent).enumerate({}, kTop / 2, [&](const std::vector<int>&, Cost) {
+      const bool complete = Search(component.network, budget_, silent).enumerate({}, kTop / 2, [&](const auto&, Cost) {
         found = true;
         return Cost{0};
       });
-      if (!found) return false;
+      if (!found && complete) return false;
     }
     return true;
   }
@@ -69,11 +72,17 @@ class ConflictFinder {
 
   const Problem& problem_;
   const Scale& scale_;
+  Budget budget_;
   std::vector<int> hard_;
 };
 
 }  // namespace
 
-std::vector<int> Solver::conflict() { return ConflictFinder(implementation_->problem, implementation_->scale).find(); }
+std::vector<int> Solver::Implementation::conflict(bool& minimal) const {
+  ConflictFinder finder(problem, scale, options.limits);
+  std::vector<int> core = finder.find();
+  minimal = !finder.limit_struck();
+  return core;
+}
 
 }  // namespace scenelore::engine

@@ -6,6 +6,7 @@
 #include "component.hpp"
 #include "local_search.hpp"
 #include "reduction.hpp"
+#include "relevant.hpp"
 #include "scale.hpp"
 #include "scenelore/engine/solver.hpp"
 #include "search.hpp"
@@ -43,6 +44,10 @@ struct Solver::Implementation {
   };
   /// Makes those of one component's literals known whose cost is below the limit.
   void literal_costs(Component& component, Cost limit, Budget& budget, LiteralCosts& costs);
+
+  /// Forgets everything when the problem has changed since.
+  void refresh();
+  std::vector<int> conflict(bool& minimal) const;
 
   // --- which part of the problem is looked at ---
   /// Makes `parts` hold all worlds cheaper than `limit`.
@@ -88,12 +93,14 @@ struct Solver::Implementation {
 
   const Problem& problem;
   SolverOptions options;
-  Scale scale;
+  Scale scale;  ///< of the problem as it was when last looked at
   Cost cutoff = -1;       ///< parts hold all worlds cheaper than this; at first there are none
   Decomposition parts{};  ///< made when first needed, with no more labels than that asks for
   std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
   std::vector<int> best_world{};                                 ///< an optimal one, once it is proved
   std::optional<LocalSearch> local_search{};
+  mutable std::optional<Relevant> relevant{};
+  std::uint64_t revision = 0;  ///< of the problem that all this is about
 };
 
 }  // namespace scenelore::engine

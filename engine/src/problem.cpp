@@ -82,6 +82,7 @@ int Problem::add_variable(std::string name, std::vector<std::string> labels, std
     throw Error(whose + " has " + std::to_string(labels.size()) + " labels, but " + std::to_string(costs.size()) +
                 " costs");
   for (const double cost : costs) require_cost(cost, whose);
+  ++revision_;
   variables_.push_back({std::move(name), std::move(labels), std::move(costs)});
   return static_cast<int>(variables_.size()) - 1;
 }
@@ -92,6 +93,14 @@ void Problem::set_cost(Literal literal, double cost) {
   Variable& variable = variables_[static_cast<std::size_t>(literal.variable)];
   require_cost(cost, "variable '" + variable.name + "'");
   variable.costs[static_cast<std::size_t>(literal.label)] = cost;
+  ++revision_;
+}
+
+void Problem::drop(int constraint) {
+  if (constraint < 0 || constraint >= static_cast<int>(constraints_.size()))
+    throw Error("drop: there is no constraint " + std::to_string(constraint));
+  constraints_[static_cast<std::size_t>(constraint)].body = Cardinality{};
+  ++revision_;
 }
 
 int Problem::add_table(int labels_a, int labels_b, std::vector<double> costs) {
@@ -110,6 +119,7 @@ int Problem::add(std::string name, double weight, std::int64_t reference,
   const Inspector inspector(*this, name);
   inspector.weight(weight);
   std::visit([&](const auto& part) { inspector.body(part, weight); }, body);
+  ++revision_;
   constraints_.push_back({std::move(name), weight, reference, std::move(body)});
   return static_cast<int>(constraints_.size()) - 1;
 }

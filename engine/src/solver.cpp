@@ -32,7 +32,19 @@ void require_literal(const Problem& problem, const Literal& literal) {
 }  // namespace
 
 Solver::Implementation::Implementation(const Problem& of, SolverOptions with)
-    : problem(of), options(with), scale(of) {}
+    : problem(of), options(with), scale(of), revision(of.revision()) {}
+
+void Solver::Implementation::refresh() {
+  if (revision == problem.revision()) return;
+  revision = problem.revision();
+  scale = Scale(problem);
+  cutoff = -1;
+  parts = {};
+  met.clear();
+  best_world.clear();
+  local_search.reset();
+  relevant.reset();
+}
 
 Search::Report Solver::Implementation::report(const Component& component) const {
   if (options.observer == nullptr) return {};
@@ -143,7 +155,8 @@ Solution Solver::Implementation::finish(std::vector<int> assignment, bool comple
     if (complete) solution.lower_bound = kInfinity;
     return solution;
   }
-  Check checked = check(problem, assignment);
+  if (!relevant) relevant.emplace(problem);
+  Check checked = check(problem, assignment, relevant->constraints(assignment));
   if (!checked.valid) throw std::logic_error("the search returned an assignment that the checker refuses");
   solution.outcome = complete ? Outcome::proved : Outcome::feasible;
   solution.cost = checked.cost;
@@ -205,11 +218,27 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 Solution Solver::solve(const Assumptions& assumptions) {
+  implementation_->refresh();
   Budget budget(implementation_->options.limits);
   return implementation_->solve(assumptions, budget);
 }
-std::vector<Solution> Solver::k_best(int k) { return implementation_->k_best(k); }
-MinMarginals Solver::min_marginals() { return implementation_->min_marginals(); }
-Marginals Solver::marginals(int most_worlds) { return implementation_->marginals(most_worlds); }
+std::vector<Solution> Solver::k_best(int k) {
+  implementation_->refresh();
+  return implementation_->k_best(k);
+}
+MinMarginals Solver::min_marginals() {
+  implementation_->refresh();
+  return implementation_->min_marginals();
+}
+Marginals Solver::marginals(int most_worlds) {
+  implementation_->refresh();
+  return implementation_->marginals(most_worlds);
+}
+Conflicting Solver::conflict() {
+  implementation_->refresh();
+  Conflicting result;
+  result.constraints = implementation_->conflict(result.minimal);
+  return result;
+}
 
 }  // namespace scenelore::engine

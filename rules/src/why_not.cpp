@@ -22,7 +22,8 @@ std::vector<std::string> forbidding_rows(const Case& about, engine::Literal want
     if (l != wanted.label) problem.set_cost({wanted.variable, l}, std::numeric_limits<double>::infinity());
   }
   std::set<std::string> rows;
-  for (const int constraint : engine::Solver(problem, options.solver).conflict()) {
+  const engine::Conflicting conflicting = engine::Solver(problem, options.solver).conflict();
+  for (const int constraint : conflicting.constraints) {
     rows.insert(about.quoted(about.row(constraint)));
   }
   return {rows.begin(), rows.end()};

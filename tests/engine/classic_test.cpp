@@ -59,7 +59,7 @@ TEST(MapColouring, TheWheelNeedsFourColours) {
     }
     Solver solver(problem);
     EXPECT_EQ(solver.solve().outcome, colours == 3 ? Outcome::infeasible : Outcome::proved);
-    EXPECT_EQ(solver.conflict().size(), colours == 3 ? 10u : 0u);
+    EXPECT_EQ(solver.conflict().constraints.size(), colours == 3 ? 10u : 0u);
   }
 }
 

@@ -147,7 +147,7 @@ TEST_P(Random, ConflictIsUnsatisfiableAndMinimal) {
   for (std::uint64_t seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE(seed);
     const Problem p = problem(seed);
-    const std::vector<int> core = Solver(p).conflict();
+    const std::vector<int> core = Solver(p).conflict().constraints;
     const auto keep = [&](int without) {
       Problem part;
       for (const Variable& v : p.variables()) part.add_variable(v.name, v.labels, v.costs);

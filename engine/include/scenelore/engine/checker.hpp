@@ -17,4 +17,7 @@ struct Check {
 /// Shares no code with the search. `assignment` has one label a variable, else valid = false.
 [[nodiscard]] Check check(const Problem& problem, const std::vector<int>& assignment);
 
+/// The same, looking only at these constraints, in this order; the others are known to hold at no cost.
+[[nodiscard]] Check check(const Problem& problem, const std::vector<int>& assignment, const std::vector<int>& constraints);
+
 }  // namespace scenelore::engine

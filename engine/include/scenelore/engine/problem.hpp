@@ -76,6 +76,8 @@ class Problem {
  public:
   int add_variable(std::string name, std::vector<std::string> labels, std::vector<double> costs);
   void set_cost(Literal literal, double cost);
+  /// The constraint keeps its index and name but holds always, at no cost.
+  void drop(int constraint);
   int add_table(int labels_a, int labels_b, std::vector<double> costs);
   /// Returns the constraint's index, which Violation and Explanation use.
   int add(std::string name, double weight, std::int64_t reference,
@@ -90,6 +92,8 @@ class Problem {
     return {table.labels_a, table.labels_b};
   }
   int tables() const { return static_cast<int>(tables_.size()); }
+  /// Grows with each change; a Solver sees by it that it must start anew.
+  std::uint64_t revision() const { return revision_; }
 
  private:
   struct Table {
@@ -99,6 +103,7 @@ class Problem {
   std::vector<Variable> variables_;
   std::vector<Constraint> constraints_;
   std::vector<Table> tables_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace scenelore::engine

@@ -83,8 +83,27 @@ struct Marginals {
   double covered = 1;  ///< share of the probability mass that was enumerated; when not exact, no more than that share
 };
 
+/// Hard constraints that cannot hold together.
+struct Conflicting {
+  std::vector<int> constraints;  ///< ascending; empty when there are none, or when a limit struck before that was known
+  bool minimal = true;           ///< without any one of them the rest can hold; false when a limit struck
+};
+
+/// What to give up so that the rest can hold.
+struct Relaxation {
+  Solution solution;             ///< the world that breaks fewest hard constraints, and of these the cheapest; its cost
+                                 ///< is that of what it does not break, its violations name both
+  std::vector<int> constraints;  ///< the hard ones that it breaks, ascending
+};
+
+/// Fewest hard constraints to give up (a cardinality counts once for each one too many or too few), then least cost.
+/// Labels of infinite cost stay forbidden. Outcome as for Solver::solve; `infeasible` when some variable has no label.
+Relaxation cheapest_relaxation(const Problem& problem, const SolverOptions& options = {});
+
 /// Keeps the propagated root of one problem, so that repeated solves are cheap. Not safe for concurrent use; the
-/// problem must outlive it. All answers are deterministic.
+/// problem must outlive it. It may be changed between calls: costs, constraints added and dropped, variables. Everything
+/// is then built anew from the problem alone, when a question first needs it, so that the answers are those of a new
+/// Solver, bit by bit. All answers are deterministic.
 class Solver {
  public:
   explicit Solver(const Problem& problem, SolverOptions options = {});
@@ -99,8 +118,8 @@ class Solver {
   MinMarginals min_marginals();
   Marginals marginals(int most_worlds = 200);
 
-  /// Indices of hard constraints that cannot hold together (with the domains), minimal by deletion; empty if feasible.
-  std::vector<int> conflict();
+  /// Hard constraints that cannot hold together (with the domains); empty if feasible.
+  Conflicting conflict();
 
  private:
   struct Implementation;
