@@ -71,7 +71,7 @@ Contradiction find_contradiction(const kb::Knowledge& knowledge, const Scene& sc
   const FactIndex index(scene, facts);
   const LabellingProblem strict = compile(knowledge, scene, evidence, facts, truth, HardRows::strict);
   const Case about{knowledge, scene, evidence, index, strict};
-  const std::vector<int> core = engine::Solver(strict.problem, options.solver).conflict();
+  const std::vector<int> core = engine::Solver(strict.problem, options.solver).conflict().constraints;
   if (core.empty()) return out;
 
   std::set<Place> places;
