@@ -49,15 +49,37 @@ double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double ha
   return std::abs(plane.distance(center)) - half * plane.normal.cwiseAbs().sum();
 }
 
-void add_candidates(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes, const std::vector<double>& reach,
-                    std::size_t most, std::size_t v, std::vector<std::int32_t>& out) {
+/// What a voxel's slots hold: one region, none, or several.
+constexpr std::int32_t kNone = -1, kSeveral = -2;
+
+std::vector<std::int32_t> regions_of_voxels(const Slots& slots, std::size_t voxels) {
+  std::vector<std::int32_t> result(voxels, kNone);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    const std::int32_t r = slots.region[s];
+    if (r < 0 || slots.moments[s].n <= 0) continue;
+    std::int32_t& here = result[slots.voxel[s]];
+    here = here == kNone || here == r ? r : kSeveral;
+  }
+  return result;
+}
+
+void add_candidates(const VoxelGrid& grid, const Slots& slots, const std::vector<std::int32_t>& of_voxel, const std::vector<PlaneFit>& planes,
+                    const std::vector<double>& reach, std::size_t most, std::size_t v, std::vector<std::int32_t>& out) {
   const std::size_t start = out.size();
+  std::int32_t last = kNone;
+  const auto add = [&](std::int32_t r) {
+    if (r == last) return;
+    last = r;
+    if (std::find(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(), r) == out.end()) out.push_back(r);
+  };
   for (const std::int32_t n : grid.neighbours[v]) {
-    if (n < 0) continue;
+    if (n < 0 || of_voxel[n] == kNone) continue;
+    if (of_voxel[n] != kSeveral) {
+      add(of_voxel[n]);
+      continue;
+    }
     for (std::uint32_t s = slots.first[n]; s < slots.first[n + 1]; ++s) {
-      const std::int32_t r = slots.region[s];
-      if (r < 0 || slots.moments[s].n <= 0) continue;
-      if (std::find(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(), r) == out.end()) out.push_back(r);
+      if (slots.region[s] >= 0 && slots.moments[s].n > 0) add(slots.region[s]);
     }
   }
   if (out.size() == start) return;
@@ -78,11 +100,12 @@ Candidates candidates_around(const VoxelGrid& grid, const Slots& slots, const st
   Candidates result;
   result.first.resize(grid.count() + 1, 0);
   std::vector<std::vector<std::int32_t>> rows(grid.count() / kPiece + 1);
+  const std::vector<std::int32_t> of_voxel = regions_of_voxels(slots, grid.count());
   parallel_pieces(grid.count(), kPiece, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       std::vector<std::int32_t>& row = rows[v / kPiece];
       const std::size_t before = row.size();
-      add_candidates(grid, slots, planes, reach, most, v, row);
+      add_candidates(grid, slots, of_voxel, planes, reach, most, v, row);
       result.first[v + 1] = static_cast<std::uint32_t>(row.size() - before);
     }
   });

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
+
+#include "cell_index.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -48,6 +51,39 @@ double squared(const VoxelPlace& a, const VoxelPlace& b) {
   return d(a.x, b.x) * d(a.x, b.x) + d(a.y, b.y) * d(a.y, b.y) + d(a.z, b.z) * d(a.z, b.z);
 }
 
+/// Joins the parts of nodes at most `reach` apart, `parts` in number. Nodes are looked for in cubes of that edge.
+void join_near(const std::vector<Node>& nodes, double reach, std::size_t parts, Sets& sets) {
+  const auto edge = static_cast<std::uint32_t>(std::ceil(reach));
+  std::vector<CellKey> keys(nodes.size());
+  std::map<std::uint32_t, std::size_t> sizes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const VoxelPlace& p = nodes[k].place;
+    keys[k] = cell_key(p.x / edge, p.y / edge, p.z / edge);
+    ++sizes[nodes[k].part];
+  }
+  const CellIndex cubes(keys);
+  // The part with most nodes need not look for the others: they look for it.
+  const std::uint32_t largest = std::max_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  for (std::size_t c = 0; c < cubes.size() && parts > 1; ++c) {
+    const auto own = cubes.items(c);
+    if (std::all_of(own.begin(), own.end(), [&](std::uint32_t k) { return nodes[k].part == largest; })) continue;
+    for (int d = 0; d < 27; ++d) {
+      const std::int32_t other = cubes.find(moved(cubes.key(c), d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1));
+      if (other < 0) continue;
+      for (const std::uint32_t a : own) {
+        if (nodes[a].part == largest) continue;
+        std::uint32_t root = sets.root(nodes[a].part);
+        for (const std::uint32_t b : cubes.items(static_cast<std::size_t>(other))) {
+          if (sets.root(nodes[b].part) == root || squared(nodes[a].place, nodes[b].place) > reach * reach) continue;
+          sets.join(nodes[a].part, nodes[b].part);
+          root = sets.root(nodes[a].part);
+          --parts;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> connected_slots(const VoxelGrid& grid, const Slots& slots, std::span<const std::uint32_t> members,
@@ -76,16 +112,7 @@ std::vector<std::vector<std::uint32_t>> connected_slots(const VoxelGrid& grid, c
     while (2 * grid.size * (1 << shift) <= step / 10) ++shift;
     const double edge = grid.size * (1 << shift), reach = (step - std::sqrt(3.0) * edge) / edge;
     const std::vector<Node> nodes = nodes_of(grid, slots, members, part, shift);
-    // The part with most nodes need not look for the others: they look for it.
-    std::vector<std::size_t> sizes(members.size(), 0);
-    for (const Node& node : nodes) ++sizes[node.part];
-    const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-    for (const Node& a : nodes) {
-      if (a.part == largest || !(reach > 0)) continue;
-      for (const Node& b : nodes) {
-        if (sets.root(a.part) != sets.root(b.part) && squared(a.place, b.place) <= reach * reach) sets.join(a.part, b.part);
-      }
-    }
+    if (reach > 0) join_near(nodes, reach, parts, sets);
     for (std::uint32_t& p : part) p = sets.root(p);
   }
   std::vector<std::vector<std::uint32_t>> result;
