@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "bytes.hpp"
+#include "parallel.hpp"
+#include "rows_to_cloud.hpp"
 #include "scenelore/perception/error.hpp"
 
 namespace scenelore::perception {
@@ -33,16 +36,22 @@ Axes coordinate_columns(const PointTable& table, const std::string& source_name)
   return axes;
 }
 
+double value_at(const RowSource& rows, const Column& column, std::size_t row) {
+  const std::byte* const at = rows.bytes + row * rows.table.stride + column.offset;
+  return with_type(column.type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(at)); });
+}
+
 /// The median coordinate of each axis, over the finite ones of some thousand rows spread evenly: a few wild points far
 /// off must not move it. Zero where nothing is finite.
-Eigen::Vector3d typical_position(const PointTable& table, const Axes& axes) {
+Eigen::Vector3d typical_position(const RowSource& rows, const Axes& axes) {
+  const PointTable& table = rows.table;
   const std::size_t step = std::max<std::size_t>(1, table.rows / 4096);
   Eigen::Vector3d typical = Eigen::Vector3d::Zero();
   std::vector<double> sample;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sample.clear();
     for (std::size_t row = 0; row < table.rows; row += step) {
-      const double value = table.value(*axes[axis], row);
+      const double value = value_at(rows, *axes[axis], row);
       if (std::isfinite(value)) sample.push_back(value);
     }
     if (sample.empty()) continue;
@@ -56,64 +65,78 @@ Eigen::Vector3d typical_position(const PointTable& table, const Axes& axes) {
 /// Zero as long as float offsets from zero are good to 0.03 mm (float sources: they are the very values of the file
 /// below 1 km, double sources: below 100 m are good to 4 µm); else the typical position in whole metres, from which
 /// they are good again.
-Eigen::Vector3d choose_origin(const PointTable& table, const Axes& axes) {
+Eigen::Vector3d choose_origin(const RowSource& rows, const Axes& axes) {
   const bool wide = std::any_of(axes.begin(), axes.end(), [](const Column* c) { return size_of(c->type) > 4; });
-  const Eigen::Vector3d typical = typical_position(table, axes);
+  const Eigen::Vector3d typical = typical_position(rows, axes);
   if (typical.cwiseAbs().maxCoeff() < (wide ? 100.0 : 1000.0)) return Eigen::Vector3d::Zero();
   return typical.array().round();
 }
 
-/// One pass over the rows; coordinate(row, axis) is the file's value in double precision.
+/// Some of the rows; coordinate(row, axis) is the file's value in double precision. Returns how many are invalid.
 template <class Coordinate>
-void take_offsets(std::size_t rows, Coordinate coordinate, Cloud& cloud) {
+std::size_t take_offsets(std::size_t first, std::size_t last, Coordinate coordinate, Cloud& cloud) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   const double cx = cloud.origin.x(), cy = cloud.origin.y(), cz = cloud.origin.z();
-  for (std::size_t row = 0; row < rows; ++row) {
+  std::size_t invalid = 0;
+  for (std::size_t row = first; row < last; ++row) {
     const float x = static_cast<float>(coordinate(row, 0) - cx);
     const float y = static_cast<float>(coordinate(row, 1) - cy);
     const float z = static_cast<float>(coordinate(row, 2) - cz);
     // x - x is 0 for finite numbers alone. A double too large for a float has become infinite and is invalid, too.
     const bool finite = (x - x) + (y - y) + (z - z) == 0.0F;
-    cloud.x.push_back(finite ? x : kNone);
-    cloud.y.push_back(finite ? y : kNone);
-    cloud.z.push_back(finite ? z : kNone);
-    cloud.invalid += finite ? 0 : 1;
+    cloud.x[row] = finite ? x : kNone;
+    cloud.y[row] = finite ? y : kNone;
+    cloud.z[row] = finite ? z : kNone;
+    invalid += finite ? 0 : 1;
   }
+  return invalid;
 }
 
 template <class X>
-void take_offsets_of(const PointTable& table, const Axes& axes, Cloud& cloud) {
+std::size_t take_offsets_of(const RowSource& rows, const Axes& axes, std::size_t first, std::size_t last, Cloud& cloud) {
   const std::array<std::size_t, 3> offsets{axes[0]->offset, axes[1]->offset, axes[2]->offset};
-  const std::byte* const bytes = table.bytes.data();
-  const std::size_t stride = table.stride;
-  take_offsets(
-      table.rows,
-      [=](std::size_t row, std::size_t axis) {
-        return static_cast<double>(load<X>(bytes + row * stride + offsets[axis]));
-      },
-      cloud);
+  const std::byte* const bytes = rows.bytes;
+  const std::size_t stride = rows.table.stride;
+  return take_offsets(
+      first, last, [=](std::size_t row, std::size_t axis) { return static_cast<double>(load<X>(bytes + row * stride + offsets[axis])); }, cloud);
 }
 
 }  // namespace
 
-Cloud to_cloud(const PointTable& table, const std::string& source_name) {
+Cloud to_cloud(const RowSource& rows, const std::string& source_name, int threads) {
+  const PointTable& table = rows.table;
   const Axes axes = coordinate_columns(table, source_name);
   if (table.rows == 0) throw Error(source_name + " holds no points");
   Cloud cloud;
   cloud.viewpoint = table.viewpoint;
-  cloud.origin = choose_origin(table, axes);
-  for (auto* values : {&cloud.x, &cloud.y, &cloud.z}) values->reserve(table.rows);
+  cloud.origin = choose_origin(rows, axes);
+  for (auto* values : {&cloud.x, &cloud.y, &cloud.z}) values->resize(table.rows);
   const ScalarType type = axes[0]->type;
-  if (axes[1]->type == type && axes[2]->type == type) {
-    with_type(type, [&](auto zero) { take_offsets_of<decltype(zero)>(table, axes, cloud); });
-  } else {
-    take_offsets(
-        table.rows, [&](std::size_t row, std::size_t axis) { return table.value(*axes[axis], row); }, cloud);
-  }
+  const bool alike = axes[1]->type == type && axes[2]->type == type;
+  constexpr std::size_t kPiece = 1 << 18;
+  std::vector<std::size_t> invalid(table.rows / kPiece + 1, 0);
+  parallel_pieces(table.rows, kPiece, threads, [&](std::size_t begin, std::size_t end) {
+    // A single thread is given all rows at once; in pieces the pages of a file can be let go on the way.
+    for (std::size_t first = begin; first < end; first += kPiece) {
+      const std::size_t last = std::min(end, first + kPiece);
+      if (alike) {
+        with_type(type, [&](auto zero) { invalid[first / kPiece] = take_offsets_of<decltype(zero)>(rows, axes, first, last, cloud); });
+      } else {
+        invalid[first / kPiece] = take_offsets(
+            first, last, [&](std::size_t row, std::size_t axis) { return value_at(rows, *axes[axis], row); }, cloud);
+      }
+      if (rows.file != nullptr) rows.file->let_go(rows.bytes + first * table.stride, rows.bytes + last * table.stride);
+    }
+  });
+  cloud.invalid = std::accumulate(invalid.begin(), invalid.end(), std::size_t{0});
   if (cloud.invalid == cloud.size()) {
     throw Error(source_name + ": none of the " + std::to_string(table.rows) + " points has finite coordinates");
   }
   return cloud;
+}
+
+Cloud to_cloud(const PointTable& table, const std::string& source_name) {
+  return to_cloud({.table = table, .bytes = table.bytes.data(), .file = nullptr}, source_name, 1);
 }
 
 }  // namespace scenelore::perception

@@ -2,6 +2,7 @@
 // given the name by which to call the file.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,11 +13,13 @@
 namespace scenelore::perception {
 
 [[nodiscard]] bool looks_like_ply(std::string_view text);
-[[nodiscard]] PointTable read_ply(const MappedFile& file, const std::string& file_name);
+/// With `rows_at`, rows that stand in the file as the table would hold them are not copied: the table's `bytes` stay empty
+/// and the place of the first one in the file is told.
+[[nodiscard]] PointTable read_ply(const MappedFile& file, const std::string& file_name, std::optional<std::size_t>* rows_at = nullptr);
 void write_ply(OutputFile& out, const PointTable& table);
 
 [[nodiscard]] bool looks_like_pcd(std::string_view text);
-[[nodiscard]] PointTable read_pcd(const MappedFile& file, const std::string& file_name);
+[[nodiscard]] PointTable read_pcd(const MappedFile& file, const std::string& file_name, std::optional<std::size_t>* rows_at = nullptr);
 void write_pcd(OutputFile& out, const PointTable& table);
 
 /// A first line (past comments) of three numbers at least, of column names with x, y and z, or of a number of points.

@@ -71,6 +71,14 @@ MappedFile::~MappedFile() {
   if (mapping_ != nullptr) ::munmap(mapping_, bytes_.size());
 }
 
+void MappedFile::let_go(const std::byte* first, const std::byte* last) const {
+  if (mapping_ == nullptr) return;
+  constexpr std::size_t kPage = 4096;
+  const auto from = (static_cast<std::size_t>(first - bytes_.data()) + kPage - 1) / kPage * kPage;
+  const auto to = static_cast<std::size_t>(last - bytes_.data()) / kPage * kPage;
+  if (from < to) ::madvise(static_cast<std::byte*>(mapping_) + from, to - from, MADV_DONTNEED);
+}
+
 void MappedFile::move_to(std::size_t first, std::size_t last, std::vector<std::byte>& out) const {
   constexpr std::size_t kChunk = std::size_t{8} << 20;
   while (first < last) {

@@ -26,6 +26,9 @@ class MappedFile {
   /// not stand in memory twice. Requires: out has the capacity.
   void move_to(std::size_t first, std::size_t last, std::vector<std::byte>& out) const;
 
+  /// A hint that these bytes will not be needed again soon: whole pages among them are let go. They stay readable.
+  void let_go(const std::byte* first, const std::byte* last) const;
+
  private:
   std::span<const std::byte> bytes_;
   std::vector<std::byte> copy_;  ///< of what cannot be mapped

@@ -3,6 +3,7 @@
 
 #include "formats.hpp"
 #include "lines.hpp"
+#include "rows_to_cloud.hpp"
 #include "scenelore/perception/error.hpp"
 
 namespace scenelore::perception {
@@ -44,22 +45,36 @@ bool is_text_name(const std::string& extension) {
 
 }  // namespace
 
-PointTable read_points(const std::filesystem::path& path) {
-  const MappedFile file(path);
+namespace {
+
+PointTable read_table(const MappedFile& file, const std::filesystem::path& path, std::optional<std::size_t>* rows_at) {
   const std::string name = path.string(), extension = lower_extension(path);
   const std::string_view text = file.text();
   if (text.empty()) throw Error(name + " is empty");
-  if (looks_like_ply(text)) return read_ply(file, name);
-  if (looks_like_pcd(text)) return read_pcd(file, name);
+  if (looks_like_ply(text)) return read_ply(file, name, rows_at);
+  if (looks_like_pcd(text)) return read_pcd(file, name, rows_at);
   if (const char* const format = foreign_format(text)) {
     throw Error(name + " is " + format +
                 " file; PLY, PCD and text point files can be read: convert it, for instance with CloudCompare");
   }
-  if (extension == ".ply") return read_ply(file, name);
-  if (extension == ".pcd") return read_pcd(file, name);
+  if (extension == ".ply") return read_ply(file, name, rows_at);
+  if (extension == ".pcd") return read_pcd(file, name, rows_at);
   const bool binary = text.substr(0, 4096).find('\0') != std::string_view::npos;
   if (!binary && (is_text_name(extension) || looks_like_text(text))) return read_text(file, name);
   throw Error(name + " is not a PLY, PCD or text point file");
+}
+
+}  // namespace
+
+PointTable read_points(const std::filesystem::path& path) { return read_table(MappedFile(path), path, nullptr); }
+
+Cloud read_cloud(const std::filesystem::path& path, int threads) {
+  const MappedFile file(path);
+  std::optional<std::size_t> rows_at;
+  const PointTable table = read_table(file, path, &rows_at);
+  const std::string name = path.string();
+  if (!rows_at) return to_cloud({.table = table, .bytes = table.bytes.data(), .file = nullptr}, name, threads);
+  return to_cloud({.table = table, .bytes = file.bytes().data() + *rows_at, .file = &file}, name, threads);
 }
 
 void write_points(const std::filesystem::path& path, const PointTable& table) {

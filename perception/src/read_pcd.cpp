@@ -19,8 +19,8 @@ void add_columns(PointTable& table, const PcdField& field) {
 
 class PcdReader {
  public:
-  PcdReader(const MappedFile& file, const std::string& name)
-      : file_(file), name_(name), header_(parse_pcd_header(file.text(), name)) {
+  PcdReader(const MappedFile& file, const std::string& name, std::optional<std::size_t>* rows_at)
+      : file_(file), name_(name), rows_at_(rows_at), header_(parse_pcd_header(file.text(), name)) {
     table_.comments = header_.comments;
     table_.viewpoint = header_.viewpoint;
     for (const PcdField& field : header_.fields) {
@@ -50,11 +50,15 @@ class PcdReader {
       fail_truncated(left / stride_in_file_, text_hint(file_.text().substr(header_.body)));
     }
     const std::size_t end = header_.body + header_.points * stride_in_file_;
-    table_.bytes.reserve(header_.points * table_.stride);
-    if (stride_in_file_ == table_.stride)
-      file_.move_to(header_.body, end, table_.bytes);
-    else
-      drop_padding();
+    if (stride_in_file_ == table_.stride && rows_at_ != nullptr) {
+      *rows_at_ = header_.body;
+    } else {
+      table_.bytes.reserve(header_.points * table_.stride);
+      if (stride_in_file_ == table_.stride)
+        file_.move_to(header_.body, end, table_.bytes);
+      else
+        drop_padding();
+    }
     check_nothing_follows(file_.text().substr(end), "byte " + std::to_string(end));
   }
 
@@ -183,6 +187,7 @@ class PcdReader {
 
   const MappedFile& file_;
   const std::string& name_;
+  std::optional<std::size_t>* rows_at_;
   PcdHeader header_;
   PointTable table_;
   std::size_t stride_in_file_ = 0;  ///< bytes of a binary row, padding included
@@ -192,6 +197,8 @@ class PcdReader {
 
 bool looks_like_pcd(std::string_view text) { return text.starts_with("# .PCD") || text.starts_with("VERSION "); }
 
-PointTable read_pcd(const MappedFile& file, const std::string& file_name) { return PcdReader(file, file_name).read(); }
+PointTable read_pcd(const MappedFile& file, const std::string& file_name, std::optional<std::size_t>* rows_at) {
+  return PcdReader(file, file_name, rows_at).read();
+}
 
 }  // namespace scenelore::perception

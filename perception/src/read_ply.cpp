@@ -22,8 +22,8 @@ constexpr std::string_view kCameraNames[] = {"view_px", "view_py", "view_pz"};
 /// What both encodings share: the header's promises, and the table that takes the vertices.
 class PlyReader {
  public:
-  PlyReader(const MappedFile& file, const std::string& name)
-      : file_(file), name_(name), header_(parse_ply_header(file.text(), name)) {
+  PlyReader(const MappedFile& file, const std::string& name, std::optional<std::size_t>* rows_at)
+      : file_(file), name_(name), rows_at_(rows_at), header_(parse_ply_header(file.text(), name)) {
     table_.comments = header_.comments;
     table_.viewpoint = header_.viewpoint;
     const auto vertex = std::find_if(header_.elements.begin(), header_.elements.end(),
@@ -104,6 +104,11 @@ class PlyReader {
     table_.rows = rows_in_file(element);
     if (table_.stride == 0) return;
     const std::size_t end = at_ + table_.rows * table_.stride;
+    if (rows_at_ != nullptr && header_.format == PlyFormat::binary_little_endian) {
+      *rows_at_ = at_;
+      at_ = end;
+      return;
+    }
     table_.bytes.reserve(end - at_);
     file_.move_to(at_, end, table_.bytes);
     if (header_.format == PlyFormat::binary_big_endian) swap_bytes();
@@ -251,6 +256,7 @@ class PlyReader {
 
   const MappedFile& file_;
   const std::string& name_;
+  std::optional<std::size_t>* rows_at_;
   PlyHeader header_;
   PointTable table_;
   Eigen::Vector3d camera_ = Eigen::Vector3d::Zero();
@@ -263,6 +269,8 @@ bool looks_like_ply(std::string_view text) {
   return text.starts_with("ply") && (text.size() == 3 || text[3] == '\n' || text[3] == '\r' || text[3] == ' ');
 }
 
-PointTable read_ply(const MappedFile& file, const std::string& file_name) { return PlyReader(file, file_name).read(); }
+PointTable read_ply(const MappedFile& file, const std::string& file_name, std::optional<std::size_t>* rows_at) {
+  return PlyReader(file, file_name, rows_at).read();
+}
 
 }  // namespace scenelore::perception

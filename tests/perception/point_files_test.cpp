@@ -1,6 +1,8 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstring>
+#include <limits>
 #include <random>
 
 #include "point_file_support.hpp"
@@ -37,6 +39,74 @@ TEST_F(ReadPoints, TellsTheFormatFromTheContentNotFromTheName) {
       EXPECT_EQ(table.columns[2].type, ScalarType::f32);
     }
   }
+}
+
+void expect_same_cloud(const Cloud& a, const Cloud& b) {
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.invalid, b.invalid);
+  EXPECT_EQ(a.viewpoint.has_value(), b.viewpoint.has_value());
+  for (const auto axis : {&Cloud::x, &Cloud::y, &Cloud::z}) {
+    EXPECT_EQ(0, std::memcmp((a.*axis).data(), (b.*axis).data(), a.size() * sizeof(float)));  // NaN is equal to itself, too
+  }
+}
+
+TEST_F(ReadPoints, GivesTheCloudOfTheTableWithoutTheTable) {
+  constexpr std::size_t kRows = 600'000;  // several pieces of work
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> place(-5, 5);
+  PointTable table;
+  table.rows = kRows;
+  for (const char* name : {"x", "intensity", "y", "z"}) {
+    std::vector<float> values(kRows);
+    for (float& value : values) value = place(random);
+    values[kRows / 2] = std::numeric_limits<float>::quiet_NaN();
+    table.set_column(name, values);
+  }
+  table.viewpoint = Eigen::Vector3d(1, 2, 3);
+  for (const char* name : {"scan.ply", "scan.pcd"}) {
+    SCOPED_TRACE(name);
+    write_points(path(name), table);
+    const Cloud whole = to_cloud(read_points(path(name)), name);
+    EXPECT_EQ(whole.invalid, 1U);
+    for (const int threads : {1, 2, 4}) expect_same_cloud(read_cloud(path(name), threads), whole);
+  }
+}
+
+TEST_F(ReadPoints, GivesTheCloudOfEveryCoordinateTypeAndEncoding) {
+  for (const ScalarType type : {ScalarType::f32, ScalarType::f64, ScalarType::i16, ScalarType::i32}) {
+    const PointTable table = table_of_every_type(type, false);
+    for (const char* name : {"scan.ply", "scan.pcd", "scan.csv"}) {
+      SCOPED_TRACE(name);
+      write_points(path(name), table);
+      expect_same_cloud(read_cloud(path(name)), to_cloud(read_points(path(name)), path(name).string()));
+    }
+  }
+}
+
+TEST_F(ReadPoints, RefusesAsACloudWhatItRefusesAsATable) {
+  PointTable table;
+  table.rows = 3;
+  for (const char* name : {"x", "y", "z"}) table.set_column(name, std::vector<float>{1, 2, 3});
+  for (const char* name : {"scan.ply", "scan.pcd"}) {
+    write_points(path(name), table);
+    const std::string whole = get(name);
+    for (const std::string& damaged : {whole.substr(0, whole.size() - 1), whole.substr(0, whole.size() / 2), whole + "more", std::string()}) {
+      const std::string expected = error_of(name, damaged);
+      ASSERT_NE(expected, "no error");
+      try {
+        (void)read_cloud(path(name));
+        ADD_FAILURE() << "read what is refused with: " << expected;
+      } catch (const Error& error) {
+        EXPECT_EQ(without_folder(error.what()), expected);
+      }
+    }
+  }
+  PointTable flat;
+  flat.rows = 1;
+  for (const char* name : {"x", "y"}) flat.set_column(name, std::vector<float>{1});
+  write_points(path("flat.ply"), flat);
+  EXPECT_THROW((void)read_cloud(path("flat.ply")), Error);
 }
 
 TEST_F(ReadPoints, ReadsFromAPipe) {

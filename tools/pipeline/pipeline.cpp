@@ -11,8 +11,7 @@ namespace fs = std::filesystem;
 
 Imported import_scan(kb::KnowledgeBase& base, const fs::path& source, const ImportOptions& options) {
   options.progress("reading");
-  const perception::PointTable points = perception::read_points(source);
-  const perception::Cloud cloud = perception::to_cloud(points, source.string());
+  const perception::Cloud cloud = perception::read_cloud(source, options.perception.threads);
 
   options.progress("segmenting");
   Imported imported;

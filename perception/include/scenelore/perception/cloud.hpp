@@ -28,4 +28,9 @@ struct Cloud {
 /// Takes x, y, z. Throws Error (saying what was found) without these columns, without points, or without valid points.
 [[nodiscard]] Cloud to_cloud(const PointTable& table, const std::string& source_name);
 
+/// The geometry of a point file: what to_cloud(read_points(path)) gives, with the same errors, but rows of binary PLY
+/// (little endian) and PCD files are read where they stand in the file, once and without a table. `threads` changes
+/// nothing but the time.
+[[nodiscard]] Cloud read_cloud(const std::filesystem::path& path, int threads = 2);
+
 }  // namespace scenelore::perception
