@@ -6,16 +6,19 @@
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 
+#include <tuple>
+
 #include "bench/segmenters.hpp"
 
 namespace scenelore::experiment {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using PointWithNormal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+/// With its number in the cloud: Efficient RANSAC changes the order of its input.
+using PointWithNormal = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
 using Input = std::vector<PointWithNormal>;
-using PointMap = CGAL::First_of_pair_property_map<PointWithNormal>;
-using NormalMap = CGAL::Second_of_pair_property_map<PointWithNormal>;
+using PointMap = CGAL::Nth_of_tuple_property_map<0, PointWithNormal>;
+using NormalMap = CGAL::Nth_of_tuple_property_map<1, PointWithNormal>;
 
 /// Requires: every point is valid, as in simulated rooms; invalid ones are put at the origin.
 Input with_normals(const perception::Cloud& cloud) {
@@ -23,7 +26,7 @@ Input with_normals(const perception::Cloud& cloud) {
   points.reserve(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const bool valid = cloud.valid(i);
-    points.emplace_back(valid ? Kernel::Point_3(cloud.x[i], cloud.y[i], cloud.z[i]) : Kernel::Point_3(0, 0, 0), Kernel::Vector_3(0, 0, 0));
+    points.emplace_back(valid ? Kernel::Point_3(cloud.x[i], cloud.y[i], cloud.z[i]) : Kernel::Point_3(0, 0, 0), Kernel::Vector_3(0, 0, 0), i);
   }
   CGAL::pca_estimate_normals<CGAL::Sequential_tag>(points, 20, CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
   return points;
@@ -62,7 +65,7 @@ std::vector<std::int32_t> efficient_ransac(const perception::Cloud& cloud) {
   std::vector<std::int32_t> label(cloud.size(), -1);
   std::int32_t plane = 0;
   for (const auto& shape : ransac.shapes()) {
-    for (const std::size_t i : shape->indices_of_assigned_points()) label[i] = plane;
+    for (const std::size_t i : shape->indices_of_assigned_points()) label[std::get<2>(points[i])] = plane;
     ++plane;
   }
   return label;
