@@ -1,9 +1,8 @@
 -- Knowledge pack "office". One row a line; a row may be changed, added or deleted without touching anything else.
 -- Sizes are of what a scan shows: partial views make things smaller, never larger, hence means a little below the norm.
 
--- Feature weights: features say the same thing several times over, so their weights must sum to less than their number. They maximise
--- the conditional likelihood of the true classes over simulated rooms (paper-like sets of seeds 3001 to 3004), times 1.3, which
--- labelled those rooms best.
+-- Feature weights: features say the same thing several times over, so their weights must sum to less than their number. These are
+-- where learning starts; office_learned.sql replaces them, as it does the priors and the weights of the constraint rows below.
 INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('aspect', '1', 'log', 1, 100, 0.39, 'length over width of the smallest rectangle (rules/features/aspect.lua)');
 UPDATE feature SET weight = 0.20 WHERE name = 'area_m2';
