@@ -42,9 +42,9 @@ void add_alternatives(const Case& about, const World& best, engine::Solver& solv
   }
 }
 
-/// Margins are told up to this many nats (odds of 150 to 1). Proving how much dearer than that another class would be
+/// Margins are told up to this many nats (odds of 20 to 1). Proving how much dearer than that another class would be
 /// takes most of the time of a relabelling and tells a person nothing.
-constexpr double kMarginReach = 5;
+constexpr double kMarginReach = 3;
 
 /// Nodes that all margins of a scan together may take. A furnished room needs a few dozen; a scan full of unclear planes could
 /// take minutes. Counted in nodes, not seconds, so that the answer is the same on every machine.
