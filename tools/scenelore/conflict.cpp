@@ -33,7 +33,7 @@ class ConflictCommand : public Command {
     rules::RuleSet rules = labelling_.rules.load(base, file_);
     Json out = Json::array();
     bool any = false;
-    for (const kb::Scan& scan : scan_.empty() && !base.scans().empty() ? base.scans() : std::vector{require_scan(base, file_, scan_)}) {
+    for (const kb::Scan& scan : scans_or_all(base, file_, scan_)) {
       const pipeline::Situation s = pipeline::assess(base, scan, rules);
       const rules::Contradiction found =
           rules::find_contradiction(s.knowledge, s.scene, s.evidence, s.facts, s.truth, labelling_.options());

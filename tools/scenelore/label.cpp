@@ -29,8 +29,7 @@ class LabelCommand : public Command {
   int run() override {
     kb::KnowledgeBase base = kb::KnowledgeBase::open(file_);
     std::optional<rules::RuleSet> rules;
-    const std::vector<kb::Scan> scans = scan_.empty() && !base.scans().empty() ? base.scans()
-                                                                               : std::vector{require_scan(base, file_, scan_)};
+    const std::vector<kb::Scan> scans = scans_or_all(base, file_, scan_);
     const kb::Knowledge knowledge = base.knowledge();
     const std::string fallback = knowledge.classes[static_cast<std::size_t>(knowledge.fallback_index())].name;
     std::vector<Report> reports;

@@ -151,6 +151,12 @@ kb::Scan require_scan(const kb::KnowledgeBase& base, const std::string& file, co
   throw kb::Error(fmt::format("{}: no scan '{}'; stored are: {}", file, name, names));
 }
 
+std::vector<kb::Scan> scans_or_all(const kb::KnowledgeBase& base, const std::string& file, const std::string& name) {
+  std::vector<kb::Scan> all = base.scans();
+  if (name.empty() && !all.empty()) return all;
+  return {require_scan(base, file, name)};
+}
+
 kb::Scan scan_of_plane(const kb::KnowledgeBase& base, const std::string& file, kb::PlaneId plane) {
   kb::ScanId id = 0;
   base.query(

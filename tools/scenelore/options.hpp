@@ -77,6 +77,9 @@ void warn(const std::string& subject, const std::vector<std::string>& warnings);
 /// The scan of that name, or the only one when no name is given. Throws kb::Error with the names there are.
 [[nodiscard]] kb::Scan require_scan(const kb::KnowledgeBase& base, const std::string& file, const std::string& name);
 
+/// The scan of that name, or all of them when no name is given. Throws kb::Error where there is none.
+[[nodiscard]] std::vector<kb::Scan> scans_or_all(const kb::KnowledgeBase& base, const std::string& file, const std::string& name);
+
 /// The scan that a plane belongs to. Throws kb::Error when there is no such plane.
 [[nodiscard]] kb::Scan scan_of_plane(const kb::KnowledgeBase& base, const std::string& file, kb::PlaneId plane);
 

@@ -32,7 +32,7 @@ class RulesProfileCommand : public Command {
     rules::RuleSet rules = labelling_.rules.load(base, file_);
     const rules::LabellingOptions options = labelling_.options();
     rules::Profile sum;
-    for (const kb::Scan& scan : scan_.empty() && !base.scans().empty() ? base.scans() : std::vector{require_scan(base, file_, scan_)}) {
+    for (const kb::Scan& scan : scans_or_all(base, file_, scan_)) {
       const pipeline::Situation s = pipeline::assess(base, scan, rules);
       add(sum, rules::profile(s.knowledge, s.scene, s.evidence, rules, s.truth, options));
     }
