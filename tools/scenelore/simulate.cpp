@@ -48,6 +48,7 @@ class SimulateCommand : public Command {
             {"--poses", &options_.poses, "N", "sensor positions whose clouds are merged", Effect::result, 1, 16},
             {"--points", &points_, "N", "wanted number of points (default: the sensor's own resolution)", Effect::result, 100, 1e8},
             {"--tilt", &options_.tilt_deg, "deg", "tilt the whole cloud by this much", Effect::result, 0, 180},
+            {"--varied", &options_.varied, "", "sizes far beyond the usual office's; a depth camera bends planes", Effect::result},
             {"--paper-room", &paper_room_, "1..6", "a room of the paper-like set of this seed", Effect::result, 1, 6}};
   }
 

@@ -1,5 +1,6 @@
 // A camera that measures depth by structured light, after the Kinect v1: 640×480 pixels, 57°×43°.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,7 @@ namespace {
 constexpr double kFocal = 589.4, kBaseline = 0.075;  // pixels of a 640-pixel line; metres
 constexpr double kNearest = 0.5, kFarthest = 8;      // metres of depth
 constexpr double kStep = 0.125;   // pixels; the disparity's resolution (Khoshelham and Elberink 2012)
+constexpr double kBend = 0.015;   // of the depth, standard deviation of each term of the error at 3 m
 constexpr double kReference = 3;  // metres; the depth at which the noise is what the option says
 
 struct Pixel {
@@ -26,7 +28,11 @@ class Frame {
         width_(std::max(1, static_cast<int>(640 / scale))),
         height_(std::max(1, static_cast<int>(480 / scale))),
         focal_(kFocal * width_ / 640),
-        turn_(Eigen::AngleAxisd(pose.heading, Vector3d::UnitZ()) * Eigen::AngleAxisd(pose.pitch, Vector3d::UnitY())) {}
+        turn_(Eigen::AngleAxisd(pose.heading, Vector3d::UnitZ()) * Eigen::AngleAxisd(pose.pitch, Vector3d::UnitY())) {
+    if (!world.bends) return;
+    Random random(world.seed, 5000);
+    for (double& c : bend_) c = kBend * random.normal();
+  }
 
   [[nodiscard]] std::vector<Sample> take();
 
@@ -39,6 +45,7 @@ class Frame {
     return Random(world_.seed, (static_cast<std::uint64_t>(pose_.number) << 48) + (what << 40) +
                                    static_cast<std::uint64_t>(row) * 1'000'003U + static_cast<std::uint64_t>(column));
   }
+  [[nodiscard]] double bent(double depth, int column, int row) const;
   [[nodiscard]] Pixel look(int column, int row) const;
   [[nodiscard]] Pixel match(int column, int row) const;
   [[nodiscard]] const Pixel& exact(int column, int row) const {
@@ -50,8 +57,19 @@ class Frame {
   int width_, height_;
   double focal_;
   Eigen::Matrix3d turn_;
+  std::array<double, 6> bend_{};
   std::vector<Pixel> pixels_;
 };
+
+// Cameras as they come from the factory are off by a share of the depth that changes smoothly over the picture and grows
+// with depth (Teichman, Miller and Thrun 2013, Unsupervised intrinsic calibration of depth sensors via SLAM).
+double Frame::bent(double depth, int column, int row) const {
+  const double u = (2.0 * column + 1) / width_ - 1, v = (2.0 * row + 1) / height_ - 1;
+  const std::array<double, 6> terms{1, u, v, u * u, u * v, v * v};
+  double share = 0;
+  for (std::size_t i = 0; i < terms.size(); ++i) share += bend_[i] * terms[i];
+  return depth * (1 + share * depth / kReference);
+}
 
 // The exact disparity of the pixel, or a hole: nothing in range, too little light comes back, or the projector beside
 // the camera does not light what the camera sees.
@@ -61,7 +79,8 @@ Pixel Frame::look(int column, int row) const {
   const Ray ray{pose_.position, (turn_ * along).normalized()};
   const Hit hit = first_answer(world_, ray, kFarthest * 1.5, random);
   if (hit.shape == nullptr) return {};
-  const double depth = (hit.range + world_.bias[static_cast<std::size_t>(hit.shape->surface)]) / along.norm();
+  const double straight = (hit.range + world_.bias[static_cast<std::size_t>(hit.shape->surface)]) / along.norm();
+  const double depth = bent(straight, column, row);
   const double cosine = incidence(hit, ray), strength = brightness(hit, cosine) * 16 / (hit.range * hit.range);
   if (depth < kNearest || depth > kFarthest || !random.chance(strength / (strength + 0.02)) ||
       cosine < random.between(0.08, 0.2))

@@ -21,13 +21,18 @@ Volume user_zone(const Desk& desk) {
   return volume(desk.frame, {-half, desk.depth / 2, 0}, {half, desk.depth / 2 + 0.75, 1.3});
 }
 
-Desk draw_desk_size(Random& random, bool workplace) {
+Desk draw_desk_size(Office& office, bool workplace) {
+  Random& random = office.random;
   Desk desk;
   desk.workplace = workplace;
   desk.width = workplace ? random.pick({1.2, 1.4, 1.6, 1.6, 1.8}) : random.between(0.9, 1.9);
   desk.depth = workplace ? random.pick({0.65, 0.7, 0.8, 0.8, 0.9}) : random.between(0.6, 0.95);
   desk.width += random.between(-0.03, 0.03);
   desk.height = random.between(0.68, 0.78);
+  if (office.varied) {  // desks that can be raised (EN 527-1 knows 0.62 to 1.28 m), and conference tables
+    desk.height = random.chance(0.15) ? random.between(0.85, 1.2) : random.between(0.62, 0.85);
+    if (!workplace) desk.width = random.between(0.6, 2.8), desk.depth = random.between(0.5, 1.4);
+  }
   return desk;
 }
 
@@ -148,7 +153,7 @@ bool add_desks(Office& office, const Inventory& inventory) {
   Random& random = office.random;
   const int with_user = std::max(1, std::max((inventory.screens + 1) / 2, inventory.tables - random.integer(0, 1)));
   for (int tries = 0; tries < 400 && static_cast<int>(office.desks.size()) < inventory.tables; ++tries) {
-    Desk desk = draw_desk_size(random, static_cast<int>(office.desks.size()) < with_user);
+    Desk desk = draw_desk_size(office, static_cast<int>(office.desks.size()) < with_user);
     desk.frame = draw_site(office, desk);
     if (!fits(office, desk)) continue;
     settle(office, desk);

@@ -47,8 +47,13 @@ void load_top(Office& office, const Brush& brush, const Vector3d& size) {
 void add_cabinet(Office& office) {
   Random& random = office.random;
   const bool tall = random.chance(0.55);
-  const double wide = random.pick({0.6, 0.8, 0.8, 1.0, 1.2}), deep = random.between(0.36, 0.6),
-               high = tall ? random.between(1.6, 2.15) : random.between(0.7, 1.3);
+  double wide = random.pick({0.6, 0.8, 0.8, 1.0, 1.2});
+  const double deep = random.between(0.36, 0.6);
+  double high = tall ? random.between(1.6, 2.15) : random.between(0.7, 1.3);
+  if (office.varied) {  // wardrobes up to the ceiling, whole walls of them
+    wide = random.between(0.5, 2.6);
+    if (tall) high = random.between(1.5, office.height - 0.02);
+  }
   const auto frame = along_wall(office, {wide, deep, high}, 0, 0.6);
   if (!frame) return;
   const Brush brush = office.on(*frame);

@@ -46,11 +46,11 @@ bool add_stands(Office& office) {
   return office.stands.size() >= 2;
 }
 
-Office make_office(std::uint64_t seed, const Inventory& inventory) {
+Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied) {
   check(inventory);
   for (int attempt = 0; attempt < 60; ++attempt) {
     Office office =
-        build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt);
+        build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt, varied);
     if (furnish(office, inventory)) return office;
   }
   throw std::invalid_argument("inventory: no room found that holds " + std::to_string(inventory.tables) + " tables, " +

@@ -50,6 +50,7 @@ struct Office {
   Occupancy
       zones;  ///< space in front of desks, cabinets and windows that furniture leaves free, but chairs and people use
   double width, depth, height;
+  bool varied = false;  ///< sizes far beyond the usual ones
   std::vector<Wall> walls;
   std::vector<Desk> desks;
   std::vector<Eigen::Vector2d> stands;  ///< where the sensor may be put
@@ -63,7 +64,7 @@ struct Office {
 };
 
 /// Empty room with floor, ceiling, walls, doors, windows, radiators; its size suits the number of tables.
-[[nodiscard]] Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge);
+[[nodiscard]] Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge, bool varied);
 /// The frame moved by x, y within itself, then turned about its z.
 [[nodiscard]] inline Eigen::Isometry3d placed(Eigen::Isometry3d frame, double x, double y, double yaw) {
   return frame.translate(Vector3d(x, y, 0)).rotate(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
@@ -87,7 +88,7 @@ void draw_person(Office& office, const Brush& brush, bool seated);
 
 /// The whole room; tries again, a little larger, until everything of the inventory fits.
 /// Throws std::invalid_argument for an inventory no room can hold.
-[[nodiscard]] Office make_office(std::uint64_t seed, const Inventory& inventory);
+[[nodiscard]] Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied = false);
 /// Drawn from the seed: 1 to 4 tables, most with a screen, most screens with a keyboard.
 [[nodiscard]] Inventory draw_inventory(std::uint64_t seed);
 

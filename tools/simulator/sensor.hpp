@@ -18,6 +18,7 @@ struct World {
   double noise;              ///< metres
   std::vector<double> bias;  ///< metres, of each object
   int threads = 2;
+  bool bends = false;        ///< a depth camera's errors change smoothly over its picture
 };
 
 struct SensorPose {

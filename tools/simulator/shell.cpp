@@ -176,6 +176,17 @@ void add_column(Office& office) {
   office.taken.add(volume(wall.frame, low, high));
 }
 
+// A strip of ceiling along one wall hangs lower.
+void draw_soffit(Office& office, const Brush& brush) {
+  Random& random = office.random;
+  const double low = office.height - random.between(0.15, 0.45), deep = random.between(0.4, 1.5);
+  if (low < 2.2) return;
+  const std::string thing = office.name("soffit");
+  const int under = brush.object(ObjectClass::ceiling, thing, Material::paint),
+            front = brush.object(ObjectClass::unknown, thing + " front", Material::paint);
+  brush.box({0, 0, low}, {office.width, deep, office.height}, {.left = -1, .right = -1, .rear = -1, .front = front, .bottom = under, .top = -1});
+}
+
 void draw_floor_and_ceiling(Office& office, double notch_x, double notch_y) {
   const Brush brush = office.room();
   const int floor = brush.object(ObjectClass::floor, "floor",
@@ -186,6 +197,7 @@ void draw_floor_and_ceiling(Office& office, double notch_x, double notch_y) {
     brush.quad(ceiling, {x0, y0, office.height}, {0, y1 - y0, 0}, {x1 - x0, 0, 0});
   };
   slab(0, 0, office.width, office.depth - notch_y);
+  if (office.varied && office.random.chance(0.3)) draw_soffit(office, brush);
   if (notch_y > 0) slab(0, office.depth - notch_y, office.width - notch_x, office.depth);
 }
 
@@ -211,12 +223,13 @@ void draw_lamps(Office& office) {
 
 }  // namespace
 
-Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge) {
+Office build_shell(std::uint64_t seed, const Inventory& inventory, double enlarge, bool varied) {
   Random random(seed, 1);
   const double area = (8 + 5 * std::max(1, inventory.tables)) * random.between(0.9, 1.3) * enlarge;
   const double aspect = random.between(0.85, 1.6), width = std::sqrt(area * aspect);
-  const double height = random.between(2.45, 3.1);
+  const double height = varied ? random.between(2.3, 3.9) : random.between(2.45, 3.1);
   Office office(random.next(), width, area / width, height);
+  office.varied = varied;
   const bool notched = random.chance(0.35);
   const double notch_x = notched ? office.width * random.between(0.15, 0.4) : 0,
                notch_y = notched ? office.depth * random.between(0.15, 0.35) : 0;

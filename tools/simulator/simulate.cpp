@@ -90,10 +90,11 @@ std::vector<double> draw_bias(const SimulationOptions& options, std::size_t obje
 
 SimulatedScan simulate(const SimulationOptions& options) {
   check(options);
-  const Office office = make_office(options.seed, options.inventory.value_or(draw_inventory(options.seed)));
+  const Office office = make_office(options.seed, options.inventory.value_or(draw_inventory(options.seed)), options.varied);
   const std::vector<Object>& objects = office.scene.objects();
   const Bvh shapes(office.scene.shapes());
-  const World world{shapes, options.seed, options.noise, draw_bias(options, objects.size())};
+  const World world{
+      .shapes = shapes, .seed = options.seed, .noise = options.noise, .bias = draw_bias(options, objects.size()), .bends = options.varied};
   const PosePlan planned = plan_poses(office, world, options);
   const double wanted = static_cast<double>(options.points) / options.poses;
   const double scale = options.points == 0 ? 1 : std::sqrt(std::max(planned.points, 1.0) / wanted);

@@ -33,6 +33,7 @@ struct SimulationOptions {
   int poses = 1;               ///< sensor positions, clouds merged
   std::size_t points = 0;      ///< wanted number of points (angular steps adapt); 0 = the sensor's own resolution
   double tilt_deg = 0;         ///< the whole cloud tilted by this much, about a seeded horizontal axis
+  bool varied = false;         ///< sizes far beyond the usual office's, and a depth camera that bends planes
 };
 
 /// One planar face (or curved thing) of the room: what a label is about.

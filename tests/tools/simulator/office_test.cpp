@@ -142,6 +142,18 @@ TEST(Office, EveryClassOccursAndNoSeedLooksLikeAnother) {
   EXPECT_LT(rooms_with[ObjectClass::whiteboard], rooms) << "not every room has a whiteboard";
 }
 
+TEST(Office, VariedOnesHaveSizesThatUsualOnesHaveNot) {
+  int low = 0, high = 0, soffits = 0, raised = 0, wide = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    const Office office = make_office(seed, draw_inventory(seed), true);
+    low += office.height < 2.44;
+    high += office.height > 3.3;
+    for (const Desk& desk : office.desks) raised += desk.height > 0.84, wide += desk.width > 2;
+    for (const Object& object : office.scene.objects()) soffits += object.object_class == ObjectClass::ceiling && object.thing.starts_with("soffit");
+  }
+  for (const int count : {low, high, soffits, raised, wide}) EXPECT_GE(count, 3);
+}
+
 TEST(Office, StandsAreFarFromEverythingSolid) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     const Office office = make_office(seed, draw_inventory(seed));
