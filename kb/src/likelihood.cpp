@@ -8,6 +8,8 @@ namespace scenelore::kb {
 
 namespace {
 
+constexpr double kTail = 4;  // how much wider odd values scatter than usual ones
+
 double log_normal(double distance, double sigma) {
   const double z = distance / sigma;
   return -0.5 * z * z - std::log(sigma * std::sqrt(2 * std::numbers::pi));
@@ -30,6 +32,10 @@ double range_on_scale(const Feature& feature) {
 
 Likelihood::Likelihood(const Feature& feature, const ClassFeature* gaussian, std::vector<ClassDensity> bins, double outlier_share)
     : feature_(&feature), bins_(std::move(bins)), log_uniform_(-std::log(range_on_scale(feature))), outlier_share_(outlier_share) {
+  if (gaussian != nullptr && feature.scale != Scale::circular) {
+    tail_mean_ = gaussian->mean;
+    tail_sigma_ = kTail * gaussian->sigma;
+  }
   if (gaussian != nullptr && bins_.empty()) {
     mean_ = gaussian->mean;
     sigma_ = gaussian->sigma;
@@ -40,7 +46,12 @@ Likelihood::Likelihood(const Feature& feature, const ClassFeature* gaussian, std
 double Likelihood::log_density(double value) const {
   const double own = log_own(value);
   if (outlier_share_ <= 0) return own;
-  return log_add(std::log1p(-outlier_share_) + own, std::log(outlier_share_) + log_uniform_);
+  return log_add(std::log1p(-outlier_share_) + own, std::log(outlier_share_) + log_outlier(value));
+}
+
+double Likelihood::log_outlier(double value) const {
+  if (std::isnan(tail_sigma_)) return log_uniform_;
+  return log_add(log_uniform_, log_normal(on_scale(*feature_, value) - tail_mean_, tail_sigma_)) - std::numbers::ln2;
 }
 
 double Likelihood::log_own(double value) const {

@@ -25,7 +25,10 @@ inline constexpr double kLogDensityFloor = -13.815510557964274;  // ln 1e-6
 /// Densities are per unit of the scale, so that all classes are compared in the same unit.
 class Likelihood {
  public:
-  /// `outlier_share` ε mixes in the uniform density u: p = (1 − ε) p0 + ε u.   (1)
+  /// `outlier_share` ε mixes in what odd values follow: p = (1 − ε) p0 + ε (u + N(μ, (kσ)²)) / 2 with k = 4, u the uniform
+  /// density and μ, σ the class's Gaussian; without a Gaussian, on circles, u alone.   (1)
+  /// After Tukey 1960, A survey of sampling from contaminated distributions (his k is 3): other rooms and other sensors
+  /// than those learned from stray near the usual values more often than far from them.
   Likelihood(const Feature& feature, const ClassFeature* gaussian, std::vector<ClassDensity> bins, double outlier_share);
 
   [[nodiscard]] double log_density(double value) const;
@@ -35,12 +38,14 @@ class Likelihood {
 
  private:
   [[nodiscard]] double log_own(double value) const;
+  [[nodiscard]] double log_outlier(double value) const;
   [[nodiscard]] double log_gaussian(double value) const;
   [[nodiscard]] double log_histogram(double value) const;
 
   const Feature* feature_;
   double mean_ = std::numeric_limits<double>::quiet_NaN(), sigma_ = mean_;
   std::vector<ClassDensity> bins_;  // by low
+  double tail_mean_ = mean_, tail_sigma_ = mean_;  // NaN: none
   double log_uniform_, outlier_share_;
 };
 

@@ -113,9 +113,25 @@ TEST(Preclassify, MixesInTheShareOfOutliers) {
   Knowledge k = small();
   k.settings["outlier_share"] = "0.1";
   const Contribution near = contributions(k, {{"height"}, {{1.1}}}, 0, 1)[0];
-  EXPECT_NEAR(std::exp(near.log_likelihood), 0.9 * normal(1.1, 1, 0.2) + 0.1 * 0.25, 1e-12);
+  EXPECT_NEAR(std::exp(near.log_likelihood), 0.9 * normal(1.1, 1, 0.2) + 0.1 * (0.25 + normal(1.1, 1, 0.8)) / 2, 1e-12);
   const Contribution far = contributions(k, {{"height"}, {{50}}}, 0, 1)[0];
-  EXPECT_NEAR(std::exp(far.log_likelihood), 0.1 * 0.25, 1e-12);
+  EXPECT_NEAR(std::exp(far.log_likelihood), 0.1 * 0.25 / 2, 1e-12);
+}
+
+TEST(Preclassify, BlamesOddValuesLessWhereTheyAreNearTheUsualOnes) {
+  Knowledge k = small();
+  k.settings["outlier_share"] = "0.1";
+  const auto at = [&](double value) { return contributions(k, {{"height"}, {{value}}}, 0, 1)[0].log_likelihood; };
+  EXPECT_GT(at(2), at(2.5) + 0.3);
+  EXPECT_GT(at(2.5), at(3) + 0.1);
+}
+
+TEST(Preclassify, MixesUniformOutliersIntoAHistogramWithoutGaussian) {
+  Knowledge k = small();
+  k.settings["outlier_share"] = "0.1";
+  k.class_densities = {{"a", "height", 1, 1.5, 1.2}};
+  std::erase_if(k.class_features, [](const ClassFeature& row) { return row.object_class == "a" && row.feature == "height"; });
+  EXPECT_NEAR(std::exp(contributions(k, {{"height"}, {{1.2}}}, 0, 1)[0].log_likelihood), 0.9 * 1.2 + 0.1 * 0.25, 1e-12);
 }
 
 TEST(Preclassify, AgreesWithANaiveReferenceOnRandomKnowledge) {
