@@ -18,12 +18,13 @@ local function number(t, key, otherwise)
   return value
 end
 
-local known = { x = true, y = true, z = true, length = true, width = true, facing = true, lean = true, turn = true }
+local known = { x = true, y = true, z = true, length = true, width = true, facing = true, lean = true, turn = true,
+  rmse = true }
 
 local function check(t)
   for key in pairs(t) do
     if not known[key] then
-      error(format("a plane has no field '%s'; it has x, y, z, length, width, facing, lean, turn", key), 3)
+      error(format("a plane has no field '%s'; it has x, y, z, length, width, facing, lean, turn, rmse", key), 3)
     end
   end
 end
@@ -34,7 +35,7 @@ local function flat(t)
   local lean, facing, turn = rad(number(t, "lean", 0)), rad(number(t, "facing", 0)), rad(number(t, "turn", 0))
   return make(number(t, "x"), number(t, "y"), number(t, "z"),
     sin(lean) * cos(facing), sin(lean) * sin(facing), cos(lean), cos(turn), sin(turn), 0,
-    number(t, "length"), number(t, "width"))
+    number(t, "length"), number(t, "width"), number(t, "rmse", 0))
 end
 
 -- An upright rectangle: length level, width upwards; its normal points to `facing` degrees (0 = x, 90 = y) and, when it
@@ -44,7 +45,7 @@ local function upright(t)
   local lean, facing = rad(number(t, "lean", 0)), rad(number(t, "facing", 0))
   return make(number(t, "x"), number(t, "y"), number(t, "z"),
     cos(lean) * cos(facing), cos(lean) * sin(facing), sin(lean), -sin(facing), cos(facing), 0,
-    number(t, "length"), number(t, "width"))
+    number(t, "length"), number(t, "width"), number(t, "rmse", 0))
 end
 
 local expect = {}

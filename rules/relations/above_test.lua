@@ -37,3 +37,9 @@ case("half over the edge counts fully, a tenth hardly", function()
   top.x = 0.8 + 0.25 + 0.25 - 0.05  -- 10 % within reach
   expect.fails(flat(top), desk)
 end)
+
+case("neither of two pieces of a noisy floor is above the other, unless by more than noise", function()
+  local left = flat { x = -1, y = 0, z = 0, length = 2, width = 4, rmse = 0.01 }
+  expect.fails(flat { x = 0, y = 0, z = 0.02, length = 2, width = 4, rmse = 0.012 }, left)
+  expect.holds(flat { x = 0, y = 0, z = 0.06, length = 2, width = 4, rmse = 0.012 }, left)
+end)

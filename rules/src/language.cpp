@@ -133,7 +133,8 @@ std::string language_meta() {
       "---@field degree fun(...: Plane): number|boolean from 0 to 1\n\n"
       "---@class MadePlane\n"
       "---@field x number\n---@field y number\n---@field z number\n---@field length number\n---@field width number\n"
-      "---@field turn? number degrees\n---@field lean? number degrees\n---@field facing? number degrees\n\n";
+      "---@field turn? number degrees\n---@field lean? number degrees\n---@field facing? number degrees\n"
+      "---@field rmse? number metres\n\n";
   for (const Global& f : kGlobals) out += function_meta(f.name, f);
   out += "---Exact functions over two planes, each answer computed once.\ngeometry = {}\n\n";
   for (const GeometryFunction& f : geometry_table()) {

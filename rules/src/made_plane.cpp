@@ -36,6 +36,7 @@ perception::Plane make_plane(const MadePlane& made) {
   plane.facing_up = normal.z();
   plane.spread_length = plane.length;
   plane.spread_width = plane.width;
+  plane.rmse = made.rmse;
   plane.seen_share = 1;
   plane.point_density = 1000;
   plane.point_count = static_cast<std::size_t>(std::lround(1000 * plane.area_m2));

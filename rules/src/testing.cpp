@@ -40,8 +40,8 @@ class TestBench {
 };
 
 int TestBench::make(lua_State* state) {
-  double v[11];
-  for (int i = 0; i < 11; ++i) {
+  double v[12];
+  for (int i = 0; i < 12; ++i) {
     int is_number = 0;
     v[i] = lua_tonumberx(state, i + 1, &is_number);
     if (is_number == 0) throw Error("a plane's fields must be numbers");
@@ -49,7 +49,7 @@ int TestBench::make(lua_State* state) {
   TestBench& bench = of(state);
   const perception::Plane plane =
       make_plane({.center = {v[0], v[1], v[2]}, .normal = {v[3], v[4], v[5]}, .length = v[9], .width = v[10],
-                  .along = {v[6], v[7], v[8]}});
+                  .along = {v[6], v[7], v[8]}, .rmse = v[11]});
   bench.scene_.ids.push_back(static_cast<kb::PlaneId>(bench.scene_.ids.size()) + 1);
   bench.scene_.planes.push_back(plane);
   push_plane(bench.file_.host(), bench.geometry_.size() - 1);

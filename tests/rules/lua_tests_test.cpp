@@ -45,7 +45,7 @@ TEST(RuleTests, SayWhatFailedAndWhere) {
   EXPECT_EQ(files[0].cases[0].failure, "");
   EXPECT_EQ(files[0].cases[1].failure, file + ":4: got 0, expected that it holds (0.9 or more)");
   EXPECT_EQ(files[0].cases[2].failure,
-            file + ":6: a plane has no field 'lenght'; it has x, y, z, length, width, facing, lean, turn");
+            file + ":6: a plane has no field 'lenght'; it has x, y, z, length, width, facing, lean, turn, rmse");
   EXPECT_EQ(files[1].failure, (folder / "lonely_test.lua").string() + ": there is no " + (folder / "lonely.lua").string() + " beside it to test");
   EXPECT_EQ(as_tap({files[0]}).substr(0, 81),
             "TAP version 13\n1..3\nok 1 - high: two metres is high\nnot ok 2 - high: so is one\n# ");

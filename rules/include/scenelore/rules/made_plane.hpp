@@ -14,6 +14,7 @@ struct MadePlane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< any length but 0
   double length = 1, width = 1;                       ///< metres; length is along `along`
   Eigen::Vector3d along = Eigen::Vector3d::Zero();    ///< direction of the length; zero: level, along x where flat
+  double rmse = 0;                                    ///< metres
 };
 
 /// All fields of a Plane as perception would find them on a fully seen rectangle.
