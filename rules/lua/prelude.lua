@@ -317,7 +317,7 @@ local constraint_fields = {
     for i = 1, good and #v or 0 do good = good and type(v[i]) == "string" end
     return good, "must list the classes of two to four planes, that of the first first"
   end,
-  quantifier = function(v) return v == "no" or v == "every", "must be 'no' or 'every'" end,
+  quantifier = function(v) return v == "no" or v == "every" or v == "some", "must be 'no', 'every' or 'some'" end,
   weight = function(v) return v == "hard" or (mathtype(v) ~= nil and v > 0 and v < huge), "must be nats above 0, or 'hard'" end,
 }
 local constraint_needs = { "api", "name", "summary", "classes", "quantifier", "weight", "within", "degree" }

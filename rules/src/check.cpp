@@ -25,6 +25,7 @@ class Checker {
   void check_row(const kb::ClassConstraint& row);
   void check_rows_against_each_other();
   void check_relations();
+  void check_tuple_constraints();
   void check_settings();
   std::vector<Finding> findings;
 
@@ -155,6 +156,39 @@ void Checker::check_relations() {
   }
 }
 
+/// The constraints of Lua files: what they speak of, and whether they answer at all.
+void Checker::check_tuple_constraints() {
+  const std::vector<std::string> classes = class_names(knowledge_);
+  bool speaks = true;
+  for (const TupleConstraint& c : rules_.declared_constraints()) {
+    const std::string who = "constraint '" + c.name + "'";
+    for (const std::string& name : c.classes) {
+      const int index = knowledge_.class_index(name);
+      if (index < 0) note(true, c.file, who + ": there is no class '" + name + "'" + did_you_mean(name, classes));
+      if (index >= 0 && index == knowledge_.fallback_index()) {
+        note(false, c.file, who + " never matters: '" + name + "' is the fallback class, which has no constraints");
+      }
+      speaks = speaks && index >= 0;
+    }
+    const auto has_name = [&](const kb::ClassConstraint& row) { return row.name == c.name; };
+    const auto twin = std::find_if(knowledge_.constraints.begin(), knowledge_.constraints.end(), has_name);
+    if (twin == knowledge_.constraints.end()) continue;
+    speaks = false;
+    note(true, c.file, who + ": the name is taken by " + where_of(*twin));
+  }
+  if (!speaks) return;
+  try {
+    for (const TupleConstraint& c : rules_.constraints(sample_scene(), knowledge_)) {
+      if (c.tuples.empty()) {
+        note(false, c.file, "constraint '" + c.name + "' says nothing about any planes of a sample room (a desk with a screen and a "
+                            "keyboard, chairs, walls): is 'applies' or 'within' too strict?");
+      }
+    }
+  } catch (const Error& error) {
+    note(true, "rules", error.what());
+  }
+}
+
 void Checker::check_settings() {
   const auto check = [&](const std::string& key, auto&& read) {
     try {
@@ -185,6 +219,7 @@ std::vector<Finding> check(const kb::Knowledge& knowledge, const RuleSet& rules)
   checker.check_rows_against_each_other();
   checker.check_settings();
   checker.check_relations();
+  checker.check_tuple_constraints();
   return std::move(checker.findings);
 }
 

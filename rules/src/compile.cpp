@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "conjunctions.hpp"
 #include "fact_index.hpp"
 #include "names.hpp"
 #include "pair_geometry.hpp"
@@ -50,7 +51,7 @@ class Compiler {
   void add(int row, int a, int b, double weight, std::variant<engine::Conflict, engine::Requirement,
            engine::Cardinality, engine::PairTable> body) {
     out.problem.add(rows(row).name, weight, rows(row).id, std::move(body));
-    out.origins.push_back({row, a, b});
+    out.origins.push_back({.row = row, .a = a, .b = b});
   }
   [[nodiscard]] const kb::ClassConstraint& rows(int row) const { return knowledge_.constraints[at(row)]; }
   [[nodiscard]] int planes() const { return static_cast<int>(scene_.planes.size()); }
@@ -83,6 +84,10 @@ class Compiler {
   void add_count(int row, int subject, int other);
   void add_scene_count(int row, int subject);
   void add_tuples(int row, const TupleConstraint& constraint);
+  std::optional<std::vector<Literal>> members_of(int row, const std::vector<int>& classes, const TupleConstraint::Tuple& tuple);
+  void add_tuple(int row, int a, const std::vector<Literal>& members, double cost);
+  void add_some_tuple(int row, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples);
+  Literal conjunction(std::vector<Literal> members);
   [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
@@ -97,6 +102,8 @@ class Compiler {
   std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
   std::vector<Box3> boxes_;         // of the planes, made when a row needs them
   std::map<std::tuple<int, int, int, int>, int> tables_;
+  std::map<kb::PlaneId, int> index_of_id_;                 // made when a Lua constraint needs it
+  std::map<std::vector<Literal>, int> conjunctions_;       // by members: their variable
 };
 
 void Compiler::check_evidence() const {
@@ -162,32 +169,91 @@ void Compiler::add_variables() {
   }
 }
 
-/// If the first plane is what the constraint says, at most all but one of the others are: then the tuple does not hold.
-/// Exact for any number of planes, since the engine counts.
+/// The literals behind the tuples of a Lua constraint. Nothing for one that truth rules out.
+std::optional<std::vector<Literal>> Compiler::members_of(int row, const std::vector<int>& classes, const TupleConstraint::Tuple& tuple) {
+  if (tuple.planes.size() != classes.size() || !(tuple.degree >= 0 && tuple.degree <= 1)) {
+    throw Error(row_name(rows(row)) + ": a tuple needs a degree from 0 to 1 and " + std::to_string(classes.size()) + " planes");
+  }
+  std::vector<Literal> members;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const auto found = index_of_id_.find(tuple.planes[i]);
+    if (found == index_of_id_.end()) throw Error(row_name(rows(row)) + ": there is no plane " + std::to_string(tuple.planes[i]));
+    if (label(found->second, classes[i]) < 0) return std::nullopt;
+    members.push_back(literal(found->second, classes[i]));
+  }
+  return members;
+}
+
 void Compiler::add_tuples(int index, const TupleConstraint& constraint) {
   std::vector<int> classes;
   for (const std::string& name : constraint.classes) classes.push_back(require_class(knowledge_, name, row_name(rows(index))));
   if (std::find(classes.begin(), classes.end(), fallback_) != classes.end()) return;
-  for (const TupleConstraint::Tuple& tuple : constraint.tuples) {
-    if (tuple.planes.size() != classes.size() || !(tuple.degree >= 0 && tuple.degree <= 1)) {
-      throw Error(row_name(rows(index)) + ": a tuple needs a degree from 0 to 1 and " + std::to_string(classes.size()) + " planes");
-    }
-    std::vector<Literal> literals;
-    std::vector<int> planes;
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-      const auto found = std::find(scene_.ids.begin(), scene_.ids.end(), tuple.planes[i]);
-      if (found == scene_.ids.end()) throw Error(row_name(rows(index)) + ": there is no plane " + std::to_string(tuple.planes[i]));
-      planes.push_back(static_cast<int>(found - scene_.ids.begin()));
-      if (label(planes.back(), classes[i]) >= 0) literals.push_back(literal(planes.back(), classes[i]));
-    }
-    if (literals.size() < classes.size()) continue;  // truth rules it out
-    const double cost = rows(index).weight ? *rows(index).weight * (constraint.every ? 1 - tuple.degree : tuple.degree)
-                        : (tuple.degree >= hold_) == constraint.every ? 0 : hard_weight(planes[0]);
-    if (cost <= 0) continue;
-    engine::Cardinality body{.condition = literals[0], .literals = {literals.begin() + 1, literals.end()}};
-    body.high = static_cast<int>(body.literals.size()) - 1;
-    add(index, planes[0], planes[1], cost, std::move(body));
+  if (index_of_id_.empty()) {
+    for (int i = 0; i < planes(); ++i) index_of_id_[scene_.ids[at(i)]] = i;
   }
+  std::map<int, std::vector<std::pair<std::vector<Literal>, double>>> by_first;  // by plane; members and degree
+  for (const TupleConstraint::Tuple& tuple : constraint.tuples) {
+    if (auto members = members_of(index, classes, tuple)) {
+      by_first[index_of_id_.at(tuple.planes[0])].emplace_back(std::move(*members), tuple.degree);
+    }
+  }
+  if (constraint.quantifier == Quantifier::some) {
+    for (int a = 0; a < planes(); ++a) {
+      if (label(a, classes[0]) >= 0) add_some_tuple(index, literal(a, classes[0]), a, by_first[a]);
+    }
+    return;
+  }
+  for (const auto& [a, tuples] : by_first) {
+    for (const auto& [members, degree] : tuples) add_tuple(index, a, members, pair_cost(rows(index), a, degree));
+  }
+}
+
+/// If the first plane is what the constraint says, at most all but one of the others are: then the tuple does not hold.
+/// Exact for any number of planes, since the engine counts.
+void Compiler::add_tuple(int index, int a, const std::vector<Literal>& members, double cost) {
+  if (cost <= 0) return;
+  engine::Cardinality body{.condition = members[0], .literals = {members.begin() + 1, members.end()}};
+  body.high = static_cast<int>(body.literals.size()) - 1;
+  add(index, a, out.plane_of_variable[at(members[1].variable)], cost, std::move(body));
+  for (std::size_t i = 2; i < members.size(); ++i) {
+    out.origins.back().more.push_back(out.plane_of_variable[at(members[i].variable)]);
+  }
+}
+
+/// One requirement; what supports it is a plane, or the conjunction of all the other planes of a tuple.
+void Compiler::add_some_tuple(int index, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples) {
+  const kb::ClassConstraint& row = rows(index);
+  engine::Requirement requirement{.literal = subject, .supports = {}};
+  for (const auto& [members, degree] : tuples) {
+    if (!row.weight && degree < hold_) continue;
+    const double cost = row.weight ? *row.weight * (1 - degree) : 0;
+    requirement.supports.push_back({members.size() == 2 ? members[1] : conjunction({members.begin() + 1, members.end()}), cost});
+  }
+  add(index, a, -1, row.weight.value_or(hard_weight(a)), std::move(requirement));
+}
+
+/// A variable that is `yes` exactly where all members hold: it needs each of them, and they do not go with its `no`.
+Literal Compiler::conjunction(std::vector<Literal> members) {
+  std::sort(members.begin(), members.end());
+  const auto [entry, fresh] = conjunctions_.try_emplace(members, 0);
+  if (!fresh) return {entry->second, kYes};
+  std::string name;
+  for (const Literal& m : members) {
+    const engine::Variable& variable = out.problem.variables()[at(m.variable)];
+    name += (name.empty() ? "" : " and ") + variable.name + " " + variable.labels[at(m.label)];
+  }
+  const int variable = entry->second = out.problem.add_variable(name, {"no", "yes"}, {0, 0});
+  const auto define = [&](auto body) {
+    out.problem.add(name, engine::kHard, -1, std::move(body));
+    out.origins.push_back({.definition = true});
+  };
+  for (const Literal& m : members) define(engine::Requirement{.literal = {variable, kYes}, .supports = {{m, 0}}});
+  engine::Cardinality body{.condition = members[0], .literals = {members.begin() + 1, members.end()}};
+  body.literals.push_back({variable, kNo});
+  body.high = static_cast<int>(body.literals.size()) - 1;
+  define(std::move(body));
+  out.conjunctions.push_back(std::move(members));
+  return {variable, kYes};
 }
 
 void Compiler::add_row(int index) {
@@ -342,7 +408,7 @@ kb::Knowledge with_tuple_constraints(kb::Knowledge knowledge, const Facts& facts
   std::int64_t id = 0;
   for (const TupleConstraint& c : facts.constraints) {
     knowledge.constraints.push_back({.id = --id, .name = c.name, .object_class = c.classes.at(0),
-                                     .quantifier = c.every ? Quantifier::every : Quantifier::no, .relation = std::nullopt,
+                                     .quantifier = c.quantifier, .relation = std::nullopt,
                                      .other_class = c.classes.at(1), .count = std::nullopt, .weight = c.weight,
                                      .message = c.summary, .enabled = true});
   }

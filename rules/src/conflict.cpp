@@ -31,6 +31,10 @@ ConflictPart part_of(const Case& about, int constraint) {
     part.planes.push_back(about.id(origin.b));
     where += " and plane " + std::to_string(about.id(origin.b));
   }
+  for (const int plane : origin.more) {
+    part.planes.push_back(about.id(plane));
+    where += " and plane " + std::to_string(about.id(plane));
+  }
   part.sentence = about.quoted(row) + " (constraint '" + row.name + "')" + where;
   return part;
 }
@@ -50,14 +54,14 @@ engine::Problem restricted(const engine::Problem& problem, const std::vector<int
   return out;
 }
 
-using Place = std::tuple<int, int, int>;  // row, a, b
-Place place_of(const ConstraintOrigin& origin) { return {origin.row, origin.a, origin.b}; }
+using Place = std::tuple<int, int, int, std::vector<int>>;  // row, a, b, more
+Place place_of(const ConstraintOrigin& origin) { return {origin.row, origin.a, origin.b, origin.more}; }
 
-/// Constraints of another compilation of the same rows at the same places.
+/// Constraints of another compilation of the same rows at the same places, and what their conjunctions stand for.
 std::vector<int> same_places(const LabellingProblem& compiled, const std::set<Place>& places) {
   std::vector<int> out;
   for (std::size_t i = 0; i < compiled.origins.size(); ++i) {
-    if (places.contains(place_of(compiled.origins[i]))) out.push_back(static_cast<int>(i));
+    if (compiled.origins[i].definition || places.contains(place_of(compiled.origins[i]))) out.push_back(static_cast<int>(i));
   }
   return out;
 }
@@ -76,6 +80,7 @@ Contradiction find_contradiction(const kb::Knowledge& knowledge, const Scene& sc
 
   std::set<Place> places;
   for (const int constraint : core) {
+    if (strict.origins[at(constraint)].definition) continue;
     places.insert(place_of(strict.origins[at(constraint)]));
     out.parts.push_back(part_of(about, constraint));
   }

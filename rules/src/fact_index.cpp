@@ -6,7 +6,7 @@
 
 namespace scenelore::rules {
 
-FactIndex::FactIndex(const Scene& scene, const Facts& facts) : planes_(scene.planes.size()) {
+FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), planes_(scene.planes.size()) {
   std::map<kb::PlaneId, int> index;
   for (std::size_t i = 0; i < scene.ids.size(); ++i) index[scene.ids[i]] = static_cast<int>(i);
   const auto plane = [&](kb::PlaneId id, const std::string& relation) {
@@ -52,5 +52,12 @@ double FactIndex::Relation::degree(int a, int b) const {
 
 const std::vector<FactIndex::Held>& FactIndex::held(const std::string& name, int a) const { return relation(name).held(a); }
 double FactIndex::degree(const std::string& name, int a, int b) const { return relation(name).degree(a, b); }
+
+const TupleConstraint* FactIndex::tuples(const kb::ClassConstraint& row) const {
+  for (const TupleConstraint& c : facts_.constraints) {
+    if (c.name == row.name) return &c;
+  }
+  return nullptr;
+}
 
 }  // namespace scenelore::rules

@@ -43,8 +43,11 @@ class FactIndex {
   [[nodiscard]] const std::vector<Held>& held(const std::string& relation, int a) const;
   /// 0 where there is no fact.
   [[nodiscard]] double degree(const std::string& relation, int a, int b) const;
+  /// The Lua constraint behind a row, nullptr for any other row. The facts must live as long as this.
+  [[nodiscard]] const TupleConstraint* tuples(const kb::ClassConstraint& row) const;
 
  private:
+  const Facts& facts_;
   std::size_t planes_;
   std::map<std::string, std::vector<std::vector<Held>>> by_relation_;
 };

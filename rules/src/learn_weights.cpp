@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conjunctions.hpp"
 #include "flip_costs.hpp"
 #include "log_linear.hpp"
 #include "names.hpp"
@@ -30,7 +31,7 @@ struct Layout {
     }
     for (int i = 0; i < static_cast<int>(knowledge.constraints.size()); ++i) {
       const kb::ClassConstraint& row = knowledge.constraints[at(i)];
-      if (row.enabled && row.weight && *row.weight > 0) rows.push_back(i);
+      if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) rows.push_back(i);  // those below 0 stand in Lua files
     }
   }
   [[nodiscard]] std::size_t first_class() const { return features.size(); }
@@ -72,13 +73,16 @@ Terms feature_terms(const kb::Knowledge& knowledge, const Layout& layout, const 
 /// One example a plane of known class, in the world `classes` (of all planes).
 void add_examples(const kb::Knowledge& knowledge, const Layout& layout, const LabellingProblem& compiled, const Terms& terms,
                   const std::vector<int>& classes, const std::vector<int>& truth, std::vector<Example>& out) {
-  std::vector<int> assignment(classes.size());
+  std::vector<int> assignment(compiled.plane_of_variable.size());
   for (std::size_t p = 0; p < classes.size(); ++p) {
     const int variable = compiled.variable_of_plane[p];
     assignment[at(variable)] = compiled.label_of_class[at(variable)][at(classes[p])];
   }
+  settle(compiled, assignment);
   std::vector<std::vector<int>> of_row(knowledge.constraints.size());
-  for (std::size_t i = 0; i < compiled.origins.size(); ++i) of_row[at(compiled.origins[i].row)].push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < compiled.origins.size(); ++i) {
+    if (!compiled.origins[i].definition) of_row[at(compiled.origins[i].row)].push_back(static_cast<int>(i));
+  }
   std::vector<std::vector<std::vector<double>>> costs;  // [row of the layout][variable][label]
   for (const int row : layout.rows) costs.push_back(flip_costs(compiled.problem, assignment, of_row[at(row)]));
   for (std::size_t p = 0; p < classes.size(); ++p) {
@@ -121,8 +125,8 @@ LearnedWeights weights_of(const kb::Knowledge& knowledge, const Layout& layout, 
 }
 
 std::vector<int> classes_of(const LabellingProblem& compiled, const std::vector<int>& assignment) {
-  std::vector<int> out(assignment.size());
-  for (std::size_t v = 0; v < assignment.size(); ++v) out[at(compiled.plane_of_variable[v])] = compiled.class_of_label[v][at(assignment[v])];
+  std::vector<int> out(compiled.plane_of_variable.size());
+  for (std::size_t v = 0; v < out.size(); ++v) out[at(compiled.plane_of_variable[v])] = compiled.class_of_label[v][at(assignment[v])];
   return out;
 }
 
@@ -170,7 +174,7 @@ kb::Knowledge with_weights(kb::Knowledge knowledge, const LearnedWeights& weight
   for (std::size_t c = 0; c < knowledge.classes.size(); ++c) knowledge.classes[c].prior = weights.priors[c];
   for (std::size_t r = 0; r < knowledge.constraints.size(); ++r) {
     kb::ClassConstraint& row = knowledge.constraints[r];
-    if (row.enabled && row.weight && *row.weight > 0) row.weight = weights.constraints[r];
+    if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) row.weight = weights.constraints[r];
   }
   return knowledge;
 }
@@ -189,7 +193,7 @@ std::string to_sql(const kb::Knowledge& knowledge, const LearnedWeights& weights
   }
   for (std::size_t r = 0; r < knowledge.constraints.size(); ++r) {
     const kb::ClassConstraint& row = knowledge.constraints[r];
-    if (row.enabled && row.weight && *row.weight > 0) update("class_constraint", "weight", row.name, weights.constraints[r], *row.weight);
+    if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) update("class_constraint", "weight", row.name, weights.constraints[r], *row.weight);
   }
   return sql;
 }

@@ -19,8 +19,8 @@ class Pruning : public engine::Observer {
 
 /// Class by plane; empty when no labelling was found.
 std::vector<int> classes(const LabellingProblem& compiled, const engine::Solution& solution) {
-  std::vector<int> out(solution.assignment.size());
-  for (std::size_t v = 0; v < solution.assignment.size(); ++v) {
+  std::vector<int> out(solution.assignment.empty() ? 0 : compiled.plane_of_variable.size());
+  for (std::size_t v = 0; v < out.size(); ++v) {
     out[at(compiled.plane_of_variable[v])] = compiled.class_of_label[v][at(solution.assignment[v])];
   }
   return out;
@@ -54,13 +54,16 @@ Profile profile(const kb::Knowledge& knowledge, const Scene& scene, const std::v
     out.rows.push_back({.constraint = knowledge.constraints[row].name, .relation = knowledge.constraints[row].relation.value_or("")});
   }
   const auto of = [&](int constraint) -> RowProfile& { return out.rows[entry.at(compiled.origins[at(constraint)].row)]; };
-  for (std::size_t i = 0; i < compiled.origins.size(); ++i) ++of(static_cast<int>(i)).constraints;
+  const auto is_definition = [&](int constraint) { return compiled.origins[at(constraint)].definition; };
+  for (int i = 0; i < static_cast<int>(compiled.origins.size()); ++i) {
+    if (!is_definition(i)) ++of(i).constraints;
+  }
   for (const engine::Violation& violation : best.violations) {
     ++of(violation.constraint).broken;
     of(violation.constraint).paid += violation.amount;
   }
   for (const auto& [constraint, nodes] : pruning.by_constraint) {
-    if (constraint >= 0) of(constraint).pruned += nodes;
+    if (constraint >= 0 && !is_definition(constraint)) of(constraint).pruned += nodes;
   }
   kb::Knowledge without = knowledge;
   for (const auto& [row, place] : entry) {

@@ -24,6 +24,10 @@ kb::Scale scale_of(const std::string& name) {
   return name == "log" ? kb::Scale::log : name == "circular" ? kb::Scale::circular : kb::Scale::linear;
 }
 
+kb::Quantifier quantifier_of(const std::string& name) {
+  return name == "some" ? kb::Quantifier::some : name == "every" ? kb::Quantifier::every : kb::Quantifier::no;
+}
+
 }  // namespace
 
 RuleFile::RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides)
@@ -77,8 +81,8 @@ void RuleFile::take_over() {
   } else if (kind == "constraint") {
     kind_ = Kind::constraint;
     const double weight = number_field("weight");
-    constraint_ = {.name = name_, .summary = text_field("summary"), .classes = lines_of(text_field("classes")),
-                   .every = text_field("quantifier") == "every",
+    constraint_ = {.name = name_, .summary = text_field("summary"), .file = source_.shown, .classes = lines_of(text_field("classes")),
+                   .quantifier = quantifier_of(text_field("quantifier")),
                    .weight = std::isfinite(weight) ? std::optional(weight) : std::nullopt, .within = number_field("within"),
                    .tuples = {}};
   } else {

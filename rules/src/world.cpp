@@ -25,8 +25,8 @@ double Case::unary(int plane, int object_class) const {
 
 World::World(const Case& about, const engine::Solution& solution)
     : about_(about), cost_(solution.cost), assignment_(solution.assignment), violations_(solution.violations) {
-  classes_.resize(assignment_.size());
-  for (std::size_t variable = 0; variable < assignment_.size(); ++variable) {
+  classes_.resize(about.scene.planes.size());
+  for (std::size_t variable = 0; variable < classes_.size(); ++variable) {
     const int plane = about.compiled.plane_of_variable[variable];
     classes_[at(plane)] = about.compiled.class_of_label[variable][at(assignment_[variable])];
   }

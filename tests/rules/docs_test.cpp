@@ -6,6 +6,7 @@
 #include "scenelore/rules/rule_set.hpp"
 #include "scenelore/rules/testing.hpp"
 #include "temporary_folder.hpp"
+#include "tiny.hpp"
 
 namespace scenelore::rules {
 namespace {
@@ -38,6 +39,22 @@ TEST(RulesTutorial, RunsAsWritten) {
   ASSERT_EQ(tests.size(), 1U);
   EXPECT_TRUE(tests[0].passed()) << as_text(tests);
   EXPECT_EQ(tests[0].cases.size(), 3U);
+}
+
+TEST(RulesReference, HasAConstraintThatTellsTheFrontOfAScreenFromItsBack) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "between.lua", snippets(test::read_file(SCENELORE_SOURCE_DIR "/docs/rules.md")).at("keyboard_between.lua"));
+  RuleSet rules = RuleSet::load({folder.path()});
+  const Scene scene = make_scene(std::vector<MadePlane>{{.center = {0, 0, 0.74}, .length = 1.6, .width = 0.8},
+                                                        {.center = {0, 0.25, 1.0}, .normal = {0, -1, 0}, .length = 0.5, .width = 0.35},
+                                                        {.center = {0, -0.05, 0.76}, .length = 0.45, .width = 0.15},
+                                                        {.center = {0, 0.33, 0.76}, .length = 0.45, .width = 0.1}});
+  const std::vector<TupleConstraint> found = rules.constraints(scene, tiny::knowledge({"keyboard", "flat_screen", "table"}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].quantifier, kb::Quantifier::some);
+  ASSERT_EQ(found[0].tuples.size(), 1U) << "only the keyboard before the screen";
+  EXPECT_EQ(found[0].tuples[0].planes, (std::vector<kb::PlaneId>{scene.ids[2], scene.ids[1], scene.ids[0]}));
+  EXPECT_GT(found[0].tuples[0].degree, 0.9);
 }
 
 TEST(RulesReference, NamesEveryBuiltInRelationAndFunction) {
