@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench table1 relabel knowledge asan clean
+.PHONY: demo test build bench engine_bench table1 relabel rules_bench knowledge asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -22,9 +22,13 @@ build:
 table1: bench
 	build/bench/bin/table1
 
-# Time of `scenelore label` after one changed row, on nine simulated rooms.
+# Time of `scenelore label` after one changed row and after one edited rule, on nine simulated rooms.
 relabel: bench
 	build/bench/bin/relabel
+
+# What a relation costs: one call into Lua, and whole buildings with every built-in relation.
+rules_bench: bench
+	build/bench/bin/rules_bench
 
 # Learns the default priors again from simulated rooms (schemas/knowledge/office_learned.sql).
 knowledge: bench

@@ -105,6 +105,27 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
   }
 }
 
+void replace_geometry(Database& database, ScanId scan, const StoredGeometry& geometry) {
+  if (geometry.answers.empty()) return;
+  {
+    Statement present = database.prepare("SELECT inputs_sha256, answers FROM pair_geometry WHERE scan_id = ?");
+    auto row = present.use();
+    const bool same = row(scan).next() && row.text(0) == geometry.inputs_sha256 &&
+                      std::ranges::equal(row.blob(1), std::as_bytes(std::span(geometry.answers)));
+    if (same) return;
+  }
+  database.prepare("INSERT OR REPLACE INTO pair_geometry (scan_id, inputs_sha256, answers) VALUES (?, ?, ?)")
+      .use()(scan)(geometry.inputs_sha256)(std::as_bytes(std::span(geometry.answers))).run();
+}
+
+StoredGeometry KnowledgeBase::pair_geometry(ScanId scan) const {
+  Statement select = implementation_->database.prepare("SELECT inputs_sha256, answers FROM pair_geometry WHERE scan_id = ?");
+  auto row = select.use();
+  if (!row(scan).next()) return {};
+  const std::span<const std::byte> blob = row.blob(1);
+  return {row.text(0), std::string(reinterpret_cast<const char*>(blob.data()), blob.size())};
+}
+
 std::map<std::string, StoredFacts> KnowledgeBase::facts(ScanId scan) const {
   const Database& database = implementation_->database;
   std::map<std::string, StoredFacts> out;

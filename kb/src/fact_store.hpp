@@ -10,4 +10,7 @@ namespace scenelore::kb {
 /// same as before are left alone.
 void replace_facts(Database& database, ScanId scan, const Inference& inference);
 
+/// Written only when it has changed; empty leaves what is there.
+void replace_geometry(Database& database, ScanId scan, const StoredGeometry& geometry);
+
 }  // namespace scenelore::kb

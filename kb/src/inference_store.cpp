@@ -1,5 +1,7 @@
 // What the engine found out: written as a whole, replaced as a whole.
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,9 +20,6 @@ std::optional<std::int64_t> previous_run(const Database& database, ScanId scan) 
   return row(scan).next() ? std::optional(row.integer(0)) : std::nullopt;
 }
 
-// Labels, alternatives and reasons go with the run.
-void delete_run(Database& database, ScanId scan) { database.prepare("DELETE FROM run WHERE scan_id = ?").use()(scan).run(); }
-
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
 std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int64_t> id, const Run& run) {
@@ -28,11 +27,14 @@ std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int6
       .prepare(
           "INSERT INTO run (id, scan_id, outcome, cost, lower_bound, nodes, seconds, knowledge_hash, rules_hash, "
           "engine_version, started_at) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-          "strftime('%Y-%m-%dT%H:%M:%SZ', 'now', '-' || ?7 || ' seconds'))")
+          "strftime('%Y-%m-%dT%H:%M:%SZ', 'now', '-' || ?7 || ' seconds')) "
+          "ON CONFLICT (id) DO UPDATE SET outcome = excluded.outcome, cost = excluded.cost, lower_bound = excluded.lower_bound, "
+          "nodes = excluded.nodes, seconds = excluded.seconds, knowledge_hash = excluded.knowledge_hash, "
+          "rules_hash = excluded.rules_hash, engine_version = excluded.engine_version, started_at = excluded.started_at")
       .use()(id)(scan)(run.outcome)(finite(run.cost))(finite(run.lower_bound))(run.nodes)(run.seconds)(run.knowledge_hash)(
           run.rules_hash)(run.engine_version)
       .run();
-  return database.last_id();
+  return id ? *id : database.last_id();
 }
 
 void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
@@ -61,11 +63,69 @@ void insert_labels(Database& database, std::int64_t run, const Inference& infere
   }
   Statement alternative = database.prepare("INSERT INTO alternative (run_id, rank, plane_id, class) VALUES (?, ?, ?, ?)");
   for (const Alternative& a : inference.alternatives) alternative.use()(run)(a.rank)(a.plane)(a.object_class).run();
-  Statement reason = database.prepare(
-      "INSERT INTO reason (run_id, plane_id, class, kind, constraint_name, other_plane_id, amount, sentence) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-  for (const Reason& r : inference.reasons) {
-    reason.use()(run)(r.plane)(r.object_class)(r.kind)(r.constraint_name)(r.other_plane)(r.amount)(r.sentence).run();
+}
+
+constexpr const char* kReasonColumns =
+    "plane_id, class, kind, constraint_name, other_plane_id, amount, sentence, feature, value, mean, sigma, against";
+
+/// From the column `first` on.
+Reason read_reason(const Statement::Use& row, int first) {
+  Reason r{.plane = row.integer(first), .object_class = row.text(first + 1), .kind = row.text(first + 2),
+           .constraint_name = row.optional_text(first + 3), .amount = row.real(first + 5), .sentence = row.text(first + 6)};
+  if (!row.is_null(first + 4)) r.other_plane = row.integer(first + 4);
+  const auto number = [&](int column) { return row.optional_real(column).value_or(std::numeric_limits<double>::quiet_NaN()); };
+  if (!row.is_null(first + 7)) r.term = {row.text(first + 7), number(first + 8), number(first + 9), number(first + 10)};
+  r.against = row.optional_text(first + 11);
+  return r;
+}
+
+bool same(const Reason& a, const Reason& b) {
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  const auto terms = [&] {
+    if (!a.term || !b.term) return a.term.has_value() == b.term.has_value();
+    return a.term->feature == b.term->feature && equal(a.term->value, b.term->value) && equal(a.term->mean, b.term->mean) &&
+           equal(a.term->sigma, b.term->sigma);
+  };
+  return a.plane == b.plane && a.amount == b.amount && a.other_plane == b.other_plane && a.sentence == b.sentence &&
+         a.kind == b.kind && a.object_class == b.object_class && a.constraint_name == b.constraint_name && a.against == b.against &&
+         terms();
+}
+
+void bind(Statement::Use& use, const Reason& r) {
+  use(r.plane)(r.object_class)(r.kind)(r.constraint_name)(r.other_plane)(r.amount)(r.sentence);
+  if (r.term) {
+    use(r.term->feature)(r.term->value)(r.term->mean)(r.term->sigma);
+  } else {
+    use(std::nullopt)(std::nullopt)(std::nullopt)(std::nullopt);
+  }
+  use(r.against);
+}
+
+/// Most reasons are those of the run before: only the rows that differ are written.
+void replace_reasons(Database& database, std::int64_t run, const std::vector<Reason>& reasons) {
+  std::vector<std::pair<std::size_t, std::int64_t>> changed;  // index, id of the row
+  std::size_t rows = 0;
+  std::int64_t last = 0;
+  {
+    Statement select = database.prepare("SELECT id, " + std::string(kReasonColumns) + " FROM reason WHERE run_id = ? ORDER BY id");
+    auto row = select.use();
+    for (row(run); rows < reasons.size() && row.next(); ++rows) {
+      last = row.integer(0);
+      if (!same(read_reason(row, 1), reasons[rows])) changed.emplace_back(rows, last);
+    }
+  }
+  database.prepare("DELETE FROM reason WHERE run_id = ? AND id > ?").use()(run)(rows == 0 ? 0 : last).run();
+  Statement update = database.prepare("UPDATE reason SET (" + std::string(kReasonColumns) + ") = (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) WHERE id = ?");
+  for (const auto& [index, id] : changed) {
+    auto use = update.use();
+    bind(use, reasons[index]);
+    use(id).run();
+  }
+  Statement insert = database.prepare("INSERT INTO reason (" + std::string(kReasonColumns) + ", run_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (; rows < reasons.size(); ++rows) {
+    auto use = insert.use();
+    bind(use, reasons[rows]);
+    use(run).run();
   }
 }
 
@@ -75,11 +135,14 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   Database& database = implementation_->database;
   Transaction transaction(database);
   const std::optional<std::int64_t> previous = previous_run(database, scan);
-  delete_run(database, scan);
   const std::int64_t run = insert_run(database, scan, previous, inference.run);
+  database.prepare("DELETE FROM label WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?)").use()(scan).run();
+  database.prepare("DELETE FROM alternative WHERE run_id = ?").use()(run).run();
   replace_evidence(database, scan, inference);
   replace_facts(database, scan, inference);
+  replace_geometry(database, scan, inference.geometry);
   insert_labels(database, run, inference);
+  replace_reasons(database, run, inference.reasons);
   transaction.commit();
   return run;
 }
@@ -97,15 +160,10 @@ std::vector<Label> KnowledgeBase::labels(ScanId scan) const {
 }
 
 std::vector<Reason> KnowledgeBase::reasons(PlaneId plane) const {
-  Statement select = implementation_->database.prepare(
-      "SELECT plane_id, class, kind, constraint_name, other_plane_id, amount, sentence FROM reason WHERE plane_id = ? "
-      "ORDER BY id");
+  Statement select = implementation_->database.prepare("SELECT " + std::string(kReasonColumns) + " FROM reason WHERE plane_id = ? ORDER BY id");
   std::vector<Reason> reasons;
   auto row = select.use();
-  for (row(plane); row.next();) {
-    reasons.push_back({row.integer(0), row.text(1), row.text(2), row.optional_text(3),
-                       row.is_null(4) ? std::nullopt : std::optional(row.integer(4)), row.real(5), row.text(6)});
-  }
+  for (row(plane); row.next();) reasons.push_back(read_reason(row, 0));
   return reasons;
 }
 

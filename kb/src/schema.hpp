@@ -9,7 +9,7 @@
 
 namespace scenelore::kb {
 
-inline constexpr int kSchemaVersion = 3;  ///< the highest number of schemas/<number>_*.sql
+inline constexpr int kSchemaVersion = 4;  ///< the highest number of schemas/<number>_*.sql
 
 /// Fills an empty database. Throws Error for an unknown pack, naming the known ones.
 void create_schema(Database& database, const std::string& pack);

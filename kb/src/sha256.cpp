@@ -6,6 +6,11 @@
 #include <fstream>
 #include <vector>
 
+#ifdef __x86_64__
+#include <cpuid.h>
+#include <immintrin.h>
+#endif
+
 #include "scenelore/kb/error.hpp"
 
 namespace scenelore::kb {
@@ -29,10 +34,53 @@ std::uint32_t big_endian(const std::byte* bytes) {
   return word;
 }
 
+#ifdef __x86_64__
+/// The same steps with the processor's SHA instructions, four rounds at a time: some seven times faster.
+__attribute__((target("sha,ssse3,sse4.1"))) void compress_in_hardware(std::array<std::uint32_t, 8>& state, const std::byte* block) {
+  const auto load = [](const void* from) { return _mm_loadu_si128(static_cast<const __m128i*>(from)); };
+  // The instructions hold a, b, e, f in one register and c, d, g, h in the other, highest first.
+  const __m128i dcba = load(state.data()), hgfe = load(state.data() + 4);
+  const __m128i cdab = _mm_shuffle_epi32(dcba, 0xB1), efgh = _mm_shuffle_epi32(hgfe, 0x1B);
+  __m128i abef = _mm_alignr_epi8(cdab, efgh, 8), cdgh = _mm_blend_epi16(efgh, cdab, 0xF0);
+  const __m128i abef_before = abef, cdgh_before = cdgh;
+  const __m128i swap = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
+  __m128i w[4];  // the last sixteen words of the message schedule
+  for (int i = 0; i < 4; ++i) w[i] = _mm_shuffle_epi8(load(block + 16 * i), swap);
+  for (std::size_t group = 0; group < 16; ++group) {
+    __m128i& now = w[group % 4];
+    if (group >= 4) {
+      const __m128i &next = w[(group + 1) % 4], &before = w[(group + 2) % 4], &last = w[(group + 3) % 4];
+      now = _mm_sha256msg2_epu32(_mm_add_epi32(_mm_sha256msg1_epu32(now, next), _mm_alignr_epi8(last, before, 4)), last);
+    }
+    const __m128i sum = _mm_add_epi32(now, load(kRound.data() + 4 * group));
+    cdgh = _mm_sha256rnds2_epu32(cdgh, abef, sum);
+    abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(sum, 0x0E));
+  }
+  abef = _mm_add_epi32(abef, abef_before);
+  cdgh = _mm_add_epi32(cdgh, cdgh_before);
+  const __m128i feba = _mm_shuffle_epi32(abef, 0x1B), dchg = _mm_shuffle_epi32(cdgh, 0xB1);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(state.data()), _mm_blend_epi16(feba, dchg, 0xF0));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(state.data() + 4), _mm_alignr_epi8(dchg, feba, 8));
+}
+
+/// CPUID leaf 7: bit 29 of EBX; and SSSE3 and SSE4.1.
+bool has_sha_instructions() {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 && (b >> 29 & 1) != 0 && __builtin_cpu_supports("ssse3") &&
+         __builtin_cpu_supports("sse4.1");
+}
+#endif
+
 }  // namespace
+
+bool Sha256::use_hardware = true;
 
 // Section 6.2.2, steps 1 to 4.
 void Sha256::compress(const std::byte* block) {
+#ifdef __x86_64__
+  static const bool hardware = has_sha_instructions();
+  if (hardware && use_hardware) return compress_in_hardware(state_, block);
+#endif
   std::array<std::uint32_t, 64> w;
   for (std::size_t t = 0; t < 16; ++t) w[t] = big_endian(block + 4 * t);
   for (std::size_t t = 16; t < 64; ++t) {

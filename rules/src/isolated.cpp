@@ -1,65 +1,13 @@
 #include "scenelore/rules/isolated.hpp"
 
-#include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <csignal>
-#include <cstring>
-#include <exception>
-
+#include "byte_stream.hpp"
+#include "confined_process.hpp"
 #include "scenelore/rules/error.hpp"
 #include "scenelore/rules/labelling.hpp"
 
 namespace scenelore::rules {
 
 namespace {
-
-/// Values one after another; both ends run the same program, so numbers go as they lie in memory.
-class Writer {
- public:
-  template <typename T>
-  void number(T value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void text(const std::string& value) {
-    number(value.size());
-    bytes += value;
-  }
-  std::string bytes;
-};
-
-/// The reader trusts nothing: what ends too early is an Error.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
-  template <typename T>
-  T number() {
-    T value;
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
-    return value;
-  }
-  std::string text() { return std::string(take(number<std::size_t>())); }
-  /// Of a list whose entries take at least one byte each.
-  std::size_t count() {
-    const auto n = number<std::size_t>();
-    if (n > rest_.size()) broken();
-    return n;
-  }
-
- private:
-  [[noreturn]] static void broken() { throw Error("the isolated rules sent an answer that cannot be read"); }
-  std::string_view take(std::size_t size) {
-    if (size > rest_.size()) broken();
-    const std::string_view taken = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return taken;
-  }
-  std::string_view rest_;
-};
 
 void write_answers(Writer& out, const RuleAnswers& answers) {
   out.number(answers.features.size());
@@ -99,7 +47,7 @@ void write_answers(Writer& out, const RuleAnswers& answers) {
     out.text(c.summary);
     out.number(c.classes.size());
     for (const std::string& name : c.classes) out.text(name);
-    out.number(c.every);
+    out.number(c.quantifier);
     out.number(c.weight.value_or(-1));
     out.number(c.within);
     out.number(c.tuples.size());
@@ -150,10 +98,10 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
     out.facts.reach[relation] = {asked.within, asked.within_plan};
   }
   for (std::size_t i = 0, n = in.count(); i < n; ++i) {
-    TupleConstraint c{.name = in.text(), .summary = {}, .classes = {}, .weight = {}, .tuples = {}};
+    TupleConstraint c{.name = in.text(), .summary = {}, .file = {}, .classes = {}, .weight = {}, .tuples = {}};
     c.summary = in.text();
     for (std::size_t k = 0, m = in.count(); k < m; ++k) c.classes.push_back(in.text());
-    c.every = in.number<bool>();
+    c.quantifier = in.number<kb::Quantifier>();
     const auto weight = in.number<double>();
     if (weight > 0) c.weight = weight;
     c.within = in.number<double>();
@@ -168,112 +116,58 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
   return out;
 }
 
-void limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
-  setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
-}
-
-void confine(const Isolation& limits) {
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-  limit(RLIMIT_CPU, limits.cpu_seconds);
-  limit(RLIMIT_AS, limits.memory_bytes);
-  limit(RLIMIT_FSIZE, 0);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_NPROC, 0);
-  limit(RLIMIT_NOFILE, 32);  // rule files are read one at a time
-}
-
-void send(int pipe, const std::string& bytes) {
-  for (std::size_t sent = 0; sent < bytes.size();) {
-    const ssize_t n = write(pipe, bytes.data() + sent, bytes.size() - sent);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) _exit(3);
-    sent += static_cast<std::size_t>(n);
-  }
-}
-
-std::string receive(int pipe) {
-  std::string bytes;
-  char block[1 << 16];
-  for (;;) {
-    const ssize_t n = read(pipe, block, sizeof block);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return bytes;
-    bytes.append(block, static_cast<std::size_t>(n));
-  }
-}
-
-std::string how_it_ended(int status) {
-  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
-    return "the isolated rules used up their processor time, or were killed";
-  }
-  if (WIFSIGNALED(status)) return "the process of the isolated rules ended with signal " + std::to_string(WTERMSIG(status));
-  return "the process of the isolated rules ended without an answer";
-}
-
 }  // namespace
 
 RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
-                   const std::map<std::string, kb::StoredFacts>& known) {
+                   const KnownAnswers& known) {
   RuleAnswers out;
   out.features = rules.features();
   rules.compute_features(scene, scene.features);
   out.table = scene.features;
   out.facts = rules.relate(scene, used_relations(knowledge, rules), known);
-  out.facts.constraints = rules.constraints(scene, knowledge);
+  out.facts.constraints = rules.constraints(scene, knowledge, &out.facts.geometry);
   out.hash = rules.hash();
   return out;
 }
 
 RuleAnswers answer_isolated(const std::vector<std::filesystem::path>& directories, const Budget& budget,
                             const kb::Knowledge& knowledge, const Scene& scene,
-                            const std::map<std::string, kb::StoredFacts>& known, const Isolation& limits) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw Error(std::string("no pipe for the isolated rules: ") + std::strerror(errno));
-  const pid_t child = fork();
-  if (child < 0) {
-    close(ends[0]);
-    close(ends[1]);
-    throw Error(std::string("no process for the isolated rules: ") + std::strerror(errno));
-  }
-  if (child == 0) {
-    close(ends[0]);
-    confine(limits);
-    Writer out;
-    try {
-      Scene own = scene;
-      RuleSet rules = RuleSet::load(directories, budget, knowledge.settings);
-      const RuleAnswers answers = answer(rules, knowledge, own, known);
-      out.number('+');
-      write_answers(out, answers);
-    } catch (const Error& error) {
-      out = {};
-      out.number('-');
-      out.text(error.what());
-      out.text(error.traceback());
-    } catch (const std::exception& error) {
-      out = {};
-      out.number('-');
-      out.text(std::string("the isolated rules failed: ") + error.what());
-      out.text("");
-    }
-    send(ends[1], out.bytes);
-    _exit(0);
-  }
-  close(ends[1]);
-  const std::string bytes = receive(ends[0]);
-  close(ends[0]);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) throw Error(how_it_ended(status));
+                            const KnownAnswers& known, const Isolation& limits) {
+  const std::string bytes = in_confined_process(limits, [&](Writer& out) {
+    Scene own = scene;
+    RuleSet rules = RuleSet::load(directories, budget, knowledge.settings);
+    write_answers(out, answer(rules, knowledge, own, known));
+  });
   Reader in(bytes);
-  if (in.number<char>() == '-') {
-    const std::string text = in.text();
-    throw Error(text, in.text());
-  }
   return read_answers(in, scene.planes.size());
+}
+
+std::vector<RuleTestFile> run_rule_tests_isolated(const std::vector<std::filesystem::path>& directories, const Budget& budget,
+                                                  const Isolation& limits) {
+  const std::string bytes = in_confined_process(limits, [&](Writer& out) {
+    const std::vector<RuleTestFile> files = run_rule_tests(directories, budget);
+    out.number(files.size());
+    for (const RuleTestFile& file : files) {
+      for (const std::string* text : {&file.file, &file.rule, &file.failure}) out.text(*text);
+      out.number(file.cases.size());
+      for (const RuleTestCase& test : file.cases) {
+        out.text(test.name);
+        out.text(test.failure);
+      }
+    }
+  });
+  Reader in(bytes);
+  std::vector<RuleTestFile> out;
+  for (std::size_t i = 0, n = in.count(); i < n; ++i) {
+    RuleTestFile& file = out.emplace_back();
+    for (std::string* text : {&file.file, &file.rule, &file.failure}) *text = in.text();
+    for (std::size_t k = 0, m = in.count(); k < m; ++k) {
+      RuleTestCase& test = file.cases.emplace_back();
+      test.name = in.text();
+      test.failure = in.text();
+    }
+  }
+  return out;
 }
 
 }  // namespace scenelore::rules

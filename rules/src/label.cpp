@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "flip_costs.hpp"
+#include "conjunctions.hpp"
 #include "reasons.hpp"
 #include "scenelore/engine/checker.hpp"
 #include "scenelore/rules/labelling.hpp"
@@ -51,13 +51,14 @@ constexpr double kMarginReach = 3;
 constexpr std::uint64_t kRivalNodes = 600;
 
 /// The best world but for the label of one variable; nothing when that label cannot change alone.
-std::optional<engine::Solution> nearest_other(const engine::Problem& problem, const engine::Solution& best,
+std::optional<engine::Solution> nearest_other(const LabellingProblem& compiled, const engine::Solution& best,
                                               const std::vector<double>& flips, int variable) {
   const auto least = std::min_element(flips.begin(), flips.end());  // the label itself has an infinite price
   if (least == flips.end() || !std::isfinite(*least)) return std::nullopt;
   engine::Solution other = best;
   other.assignment[at(variable)] = static_cast<int>(least - flips.begin());
-  const engine::Check checked = engine::check(problem, other.assignment);
+  settle(compiled, other.assignment);
+  const engine::Check checked = engine::check(compiled.problem, other.assignment);
   other.cost = checked.cost;
   other.violations = checked.violations;
   return other;
@@ -77,10 +78,10 @@ std::vector<std::optional<World>> rivals(const Case& about, const World& best, c
     if (std::chrono::duration<double>(Clock::now() - start).count() > seconds) break;
     const int label = about.compiled.label_of_class[at(variable)][at(best.class_of(plane))];
     if (nodes > kRivalNodes) {
-      if (flips.empty()) flips = flip_costs(about.compiled.problem, solution.assignment);
+      if (flips.empty()) flips = label_flip_costs(about.compiled, solution.assignment);
       std::vector<double> prices = flips[at(variable)];
       prices[at(label)] = std::numeric_limits<double>::infinity();
-      const auto other = nearest_other(about.compiled.problem, solution, prices, variable);
+      const auto other = nearest_other(about.compiled, solution, prices, variable);
       if (other && other->cost < best.cost() + kMarginReach) out[at(plane)].emplace(about, *other);
       continue;
     }
@@ -117,7 +118,7 @@ constexpr double kMostPairsAVariable = 6;  // ten classes: a million entries
 class Probabilities {
  public:
   Probabilities(const Case& about, engine::Solver& solver, const engine::Solution& best)
-      : about_(about), best_(best), flips_(flip_costs(about.compiled.problem, best.assignment)) {
+      : about_(about), best_(best), flips_(label_flip_costs(about.compiled, best.assignment)) {
     if (pairs_a_variable(about.compiled.problem) < kMostPairsAVariable) summed_ = solver.marginals(1);
   }
 
@@ -173,6 +174,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   out.evidence = evidence;
   out.facts = facts.facts;
   out.asked = facts.asked;
+  out.geometry = facts.geometry;
   if (solution.assignment.empty() || scene.planes.empty()) return out;
 
   const FactIndex index(scene, facts);

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 namespace scenelore::rules {
+
+namespace {
+
+/// How an answer is kept; without gaps between the fields.
+struct Entry {
+  std::int32_t a, b;
+  double reach, value;
+};
+static_assert(sizeof(Entry) == 24);
+
+}  // namespace
 
 const PlaneShape& PairGeometry::shape(int i) const {
   if (shapes_.size() < planes_->size()) shapes_.resize(planes_->size());
@@ -50,6 +63,26 @@ double PairGeometry::vertical_gap(int a, int b) const { return shape(a).box.min(
 double PairGeometry::plane_distance(int a, int b) const { return std::abs(side(a, b)); }
 double PairGeometry::side(int a, int b) const { return shape(b).signed_distance(shape(a).centroid); }
 double PairGeometry::centroid_distance(int a, int b) const { return (shape(a).centroid - shape(b).centroid).norm(); }
+
+std::string PairGeometry::answers() const {
+  std::vector<Entry> entries;
+  entries.reserve(known_.size());
+  for (const auto& [key, value] : known_) entries.push_back({key.a, key.b, key.reach, value});
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& e, const Entry& f) { return std::tie(e.a, e.b, e.reach) < std::tie(f.a, f.b, f.reach); });
+  return {reinterpret_cast<const char*>(entries.data()), entries.size() * sizeof(Entry)};
+}
+
+void PairGeometry::remember(std::string_view answers) {
+  known_.reserve(answers.size() / sizeof(Entry));
+  for (; answers.size() >= sizeof(Entry); answers.remove_prefix(sizeof(Entry))) {
+    Entry entry;
+    std::memcpy(&entry, answers.data(), sizeof entry);
+    const bool sane = entry.a >= 0 && entry.b >= 0 && entry.a < size() && entry.b < size() && entry.value >= 0;
+    if (sane) known_.try_emplace(Key{entry.a, entry.b, entry.reach}, entry.value);
+  }
+  remembered_ = known_.size();
+}
 
 bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) {
   const Eigen::Vector3d apart = (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0);

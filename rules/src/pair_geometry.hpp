@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +36,13 @@ class PairGeometry {
   /// Metres between the centroids.
   [[nodiscard]] double centroid_distance(int a, int b) const;
 
+  /// The answers that took long (gap, footprint_overlap), sorted, as bytes for a later run over the same planes.
+  [[nodiscard]] std::string answers() const;
+  /// Takes such bytes over; what cannot be read is left out.
+  void remember(std::string_view answers);
+  /// Whether there are more answers than were remembered.
+  [[nodiscard]] bool has_news() const { return known_.size() > remembered_; }
+
  private:
   struct Key {
     int a, b;
@@ -45,7 +54,8 @@ class PairGeometry {
   };
   const std::vector<perception::Plane>* planes_;
   mutable std::vector<std::unique_ptr<PlaneShape>> shapes_;
-  std::unordered_map<Key, double, Hash> known_;  // looked up only, never iterated
+  std::unordered_map<Key, double, Hash> known_;  // its own order never shows
+  std::size_t remembered_ = 0;
 };
 
 /// Boxes around the planes' outlines.

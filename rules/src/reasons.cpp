@@ -24,7 +24,7 @@ const kb::Feature* find_feature(const kb::Knowledge& knowledge, const std::strin
 }
 
 /// "height 0.74 m (typical 0.73)": μ on a log scale is that of ln x.
-std::string describe_feature(const kb::Knowledge& knowledge, const kb::Contribution& c) {
+std::string describe_feature(const kb::Knowledge& knowledge, const kb::Reason::Term& c) {
   const kb::Feature* feature = find_feature(knowledge, c.feature);
   std::string out = c.feature + " " + number(c.value, 2);
   if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out += " " + feature->unit;
@@ -53,6 +53,13 @@ ActiveSupports active_supports(const World& world, const engine::Requirement& re
   return found;
 }
 
+/// "a, b and c"
+std::string in_words(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
 std::string relation_phrase(const kb::ClassConstraint& row, double degree) {
   return row.relation ? *row.relation + ", " + number(degree) : std::string("present");
 }
@@ -70,39 +77,23 @@ void add_typical(const kb::Knowledge& knowledge, int object_class, std::vector<k
   }
 }
 
-/// Terms of one class against those of another, strongest first. Sentences are left empty.
+/// Terms of one class against those of another, strongest first.
 std::vector<FeatureReason> compared(const std::vector<kb::Contribution>& mine, const std::vector<kb::Contribution>& theirs) {
   std::vector<FeatureReason> out;
   for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
-    out.push_back({mine[i].feature, mine[i].value, mine[i].mean, mine[i].sigma,
-                   mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), {}});
+    out.push_back({{mine[i].feature, mine[i].value, mine[i].mean, mine[i].sigma},
+                   mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood)});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const FeatureReason& a, const FeatureReason& b) { return std::abs(a.gain) > std::abs(b.gain); });
   return out;
 }
 
-std::string feature_sentence(const kb::Knowledge& knowledge, const std::vector<kb::Contribution>& terms, const FeatureReason& reason,
-                             const std::string& mine, const std::string& theirs) {
-  const auto term =
-      std::find_if(terms.begin(), terms.end(), [&](const kb::Contribution& c) { return c.feature == reason.feature; });
-  return describe_feature(knowledge, *term) + ": " + number(std::abs(reason.gain)) +
-         (reason.gain < 0 ? " against " + mine + ", for " + theirs : " for " + mine + " against " + theirs);
+std::string feature_sentence(const std::string& described, double gain, const std::string& mine, const std::string& theirs) {
+  return described + ": " + number(std::abs(gain)) + (gain < 0 ? " against " + mine + ", for " + theirs : " for " + mine + " against " + theirs);
 }
 
 }  // namespace
-
-std::vector<FeatureReason> feature_reasons(const kb::Knowledge& knowledge, const Scene& scene, int plane, int object_class,
-                                           int other_class) {
-  auto terms = kb::contributions(knowledge, scene.features, {{at(plane), at(object_class)}, {at(plane), at(other_class)}});
-  add_typical(knowledge, object_class, terms[0]);
-  std::vector<FeatureReason> out = compared(terms[0], terms[1]);
-  for (FeatureReason& reason : out) {
-    reason.sentence = feature_sentence(knowledge, terms[0], reason, knowledge.classes[at(object_class)].name,
-                                       knowledge.classes[at(other_class)].name);
-  }
-  return out;
-}
 
 std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject) {
   if (difference.row >= 0) return about.quoted(about.knowledge.constraints[at(difference.row)]);
@@ -120,6 +111,7 @@ void Reasoner::add(int plane, const char* kind, double amount, std::string sente
 }
 
 Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(best), by_plane_(about.scene.planes.size()) {
+  for (int plane = 0; plane < about.planes(); ++plane) index_[about.id(plane)] = plane;
   std::vector<std::pair<std::size_t, std::size_t>> entries;  // the plane's own class, then its rival
   for (int plane = 0; plane < about.planes(); ++plane) {
     const int own = best.class_of(plane), rival = best_class(about.evidence[at(plane)], own);
@@ -137,14 +129,12 @@ Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(
 }
 
 /// The features that tell the class from its strongest rival, by what they add.
-std::string Reasoner::strongest_features(int plane, const std::vector<FeatureReason>& strongest) const {
+std::string Reasoner::strongest_features(const std::vector<FeatureReason>& strongest) const {
   std::string fits, odd;
   for (std::size_t i = 0; i < std::min<std::size_t>(strongest.size(), 3); ++i) {
     if (std::abs(strongest[i].gain) < 0.1) continue;
-    const auto term = std::find_if(mine_[at(plane)].begin(), mine_[at(plane)].end(),
-                                   [&](const kb::Contribution& c) { return c.feature == strongest[i].feature; });
     std::string& list = strongest[i].gain > 0 ? fits : odd;
-    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, *term);
+    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, strongest[i].term);
   }
   std::string out;
   if (!fits.empty()) out += "; for it: " + fits;
@@ -166,11 +156,14 @@ void Reasoner::add_evidence(int plane, const kb::Label& label) {
   }
   const std::vector<FeatureReason> strongest =
       mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
-  add(plane, "evidence", amount, sentence + ")" + strongest_features(plane, strongest));
-  for (std::size_t i = 0; i < std::min<std::size_t>(strongest.size(), 3); ++i) {
-    if (std::abs(strongest[i].gain) < 0.5) break;
-    add(plane, "feature", strongest[i].gain,
-        feature_sentence(about_.knowledge, mine_[at(plane)], strongest[i], about_.class_name(object_class), about_.class_name(rival)));
+  add(plane, "evidence", amount, sentence + ")" + strongest_features(strongest));
+  if (rival < 0) return;
+  const std::string &mine = about_.class_name(object_class), &theirs = about_.class_name(rival);
+  by_plane_[at(plane)].back().against = theirs;
+  for (const FeatureReason& reason : strongest) {
+    add(plane, "feature", reason.gain, feature_sentence(describe_feature(about_.knowledge, reason.term), reason.gain, mine, theirs));
+    by_plane_[at(plane)].back().term = reason.term;
+    by_plane_[at(plane)].back().against = theirs;
   }
 }
 
@@ -203,6 +196,30 @@ void Reasoner::add_rival(int plane, const kb::Label& label, const World* rival) 
     separator = ", ";
   }
   add(plane, "runner_up", label.margin, named > 0 ? sentence + ")" : sentence, row);
+  by_plane_[at(plane)].back().against = label.runner_up;
+}
+
+/// The tuple of a Lua constraint that holds best in the world with plane `a` first; nullptr when none does.
+const TupleConstraint::Tuple* Reasoner::best_tuple(const TupleConstraint& constraint, int a) const {
+  const TupleConstraint::Tuple* best = nullptr;
+  for (const TupleConstraint::Tuple& tuple : constraint.tuples) {
+    if (tuple.planes[0] != about_.id(a) || (best != nullptr && best->degree >= tuple.degree)) continue;
+    bool holds = true;
+    for (std::size_t i = 0; i < tuple.planes.size(); ++i) {
+      holds = holds && about_.class_name(best_.class_of(index_.at(tuple.planes[i]))) == constraint.classes[i];
+    }
+    if (holds) best = &tuple;
+  }
+  return best;
+}
+
+/// "flat_screen 4 and table 2": the planes of a tuple but one.
+std::string Reasoner::others(const std::vector<kb::PlaneId>& planes, kb::PlaneId but) const {
+  std::vector<std::string> names;
+  for (const kb::PlaneId id : planes) {
+    if (id != but) names.push_back(best_.named(index_.at(id)));
+  }
+  return in_words(names);
 }
 
 /// For each requirement that a plane keeps alone thanks to another one, the reason of the one and of the other.
@@ -213,8 +230,13 @@ void Reasoner::add_supports(const std::vector<double>& margins) {
     if (requirement == nullptr || !best_.holds(requirement->literal)) continue;
     const ActiveSupports found = active_supports(best_, *requirement, constraints[c].weight);
     if (found.first == nullptr) continue;
+    if (about_.compiled.origins[c].definition) continue;
     const kb::ClassConstraint& row = about_.row(static_cast<int>(c));
     const int a = about_.compiled.origins[c].a;
+    if (const TupleConstraint* tuples = about_.facts.tuples(row)) {
+      add_tuple_support(row, *best_tuple(*tuples, a), found.second - found.first->cost, margins[at(a)]);
+      continue;
+    }
     const int b = about_.compiled.plane_of_variable[at(found.first->literal.variable)];
     const double degree = row.relation ? about_.facts.degree(*row.relation, a, b) : 1;
     double amount = found.second - found.first->cost;
@@ -231,10 +253,50 @@ void Reasoner::add_supports(const std::vector<double>& margins) {
   }
 }
 
+/// `some` over several planes: the reason of the first plane, and of those it leans on.
+void Reasoner::add_tuple_support(const kb::ClassConstraint& row, const TupleConstraint::Tuple& tuple, double amount, double margin) {
+  const int a = index_.at(tuple.planes[0]);
+  std::string without = "; without them " + number(amount) + " more";
+  if (std::isinf(amount)) {
+    amount = std::isinf(margin) ? 0 : margin;
+    without = "; without them the plane could not be " + about_.class_name(best_.class_of(a));
+  }
+  const std::string how = " (degree " + number(tuple.degree) + ")";
+  add(a, "support", amount, "thanks to " + others(tuple.planes, tuple.planes[0]) + how + ": " + about_.quoted(row) + without, &row,
+      index_.at(tuple.planes[1]));
+  for (std::size_t i = 1; amount > 0 && i < tuple.planes.size(); ++i) {
+    add(index_.at(tuple.planes[i]), "support", amount, best_.named(a) + " relies on it" + how + ": " + about_.quoted(row), &row, a);
+  }
+}
+
+void Reasoner::add_tuple_violation(const kb::ClassConstraint& row, const TupleConstraint& tuples, const engine::Violation& violation) {
+  const ConstraintOrigin& origin = about_.compiled.origins[at(violation.constraint)];
+  const std::string pays = "pays " + number(violation.amount) + " for " + about_.quoted(row) + ": ";
+  if (tuples.quantifier == kb::Quantifier::some) {
+    const TupleConstraint::Tuple* best = best_tuple(tuples, origin.a);
+    if (best != nullptr) {
+      return add(origin.a, "violation", -violation.amount,
+                 pays + "the best is with " + others(best->planes, best->planes[0]) + " (degree " + number(best->degree) + ")", &row,
+                 index_.at(best->planes[1]));
+    }
+    const std::vector<std::string> classes(tuples.classes.begin() + 1, tuples.classes.end());
+    return add(origin.a, "violation", -violation.amount, pays + "there is no " + in_words(classes) + " for which it holds", &row);
+  }
+  std::vector<kb::PlaneId> planes{about_.id(origin.a), about_.id(origin.b)};
+  for (const int plane : origin.more) planes.push_back(about_.id(plane));
+  const auto tuple = std::find_if(tuples.tuples.begin(), tuples.tuples.end(), [&](const auto& t) { return t.planes == planes; });
+  const std::string how = tuple == tuples.tuples.end() ? "" : " (degree " + number(tuple->degree) + ")";
+  for (const kb::PlaneId plane : planes) {
+    add(index_.at(plane), "violation", -violation.amount, pays + "with " + others(planes, plane) + how, &row,
+        index_.at(plane == planes[0] ? planes[1] : planes[0]));
+  }
+}
+
 void Reasoner::add_violation(const engine::Violation& violation) {
   const ConstraintOrigin& origin = about_.compiled.origins[at(violation.constraint)];
   const engine::Constraint& constraint = about_.compiled.problem.constraints()[at(violation.constraint)];
   const kb::ClassConstraint& row = about_.row(violation.constraint);
+  if (const TupleConstraint* tuples = about_.facts.tuples(row)) return add_tuple_violation(row, *tuples, violation);
   const std::string pays = "pays " + number(violation.amount) + " for " + about_.quoted(row) + ": ";
   const std::string other_class = row.other_class ? *row.other_class : std::string("other plane");
   if (const auto* requirement = std::get_if<engine::Requirement>(&constraint.body)) {

@@ -8,6 +8,12 @@
 
 namespace scenelore::rules {
 
+/// What one feature says for one class against another.
+struct FeatureReason {
+  kb::Reason::Term term;
+  double gain = 0;  ///< nats for the class against the other one, weighted
+};
+
 /// Reads the best world and the worlds in which each plane is something else.
 class Reasoner {
  public:
@@ -28,10 +34,15 @@ class Reasoner {
   void add(int plane, const char* kind, double amount, std::string sentence, const kb::ClassConstraint* row = nullptr,
            int other = -1);
   void add_violation(const engine::Violation& violation);
-  [[nodiscard]] std::string strongest_features(int plane, const std::vector<FeatureReason>& strongest) const;
+  [[nodiscard]] const TupleConstraint::Tuple* best_tuple(const TupleConstraint& constraint, int a) const;
+  [[nodiscard]] std::string others(const std::vector<kb::PlaneId>& planes, kb::PlaneId but) const;
+  void add_tuple_support(const kb::ClassConstraint& row, const TupleConstraint::Tuple& tuple, double amount, double margin);
+  void add_tuple_violation(const kb::ClassConstraint& row, const TupleConstraint& tuples, const engine::Violation& violation);
+  [[nodiscard]] std::string strongest_features(const std::vector<FeatureReason>& strongest) const;
 
   const Case& about_;
   const World& best_;
+  std::map<kb::PlaneId, int> index_;                // of planes in the scene
   std::vector<int> rivals_;                         // by plane: the class that features prefer after the plane's own, −1 = none
   std::vector<std::vector<kb::Contribution>> mine_, theirs_;  // by plane: terms of its class, of its rival
   std::vector<std::vector<kb::Reason>> by_plane_;

@@ -214,37 +214,71 @@ void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table) {
   }
 }
 
-Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations,
-                      const std::map<std::string, kb::StoredFacts>& known) {
+namespace {
+
+/// Geometry of the scene that remembers an earlier run's answers, when they are about the same planes.
+class KeptGeometry {
+ public:
+  KeptGeometry(const Scene& scene, const std::string& planes) : inputs_(fact_inputs({}, {}, planes)), geometry_(scene.planes) {}
+
+  /// The answers are taken over when the geometry is first needed.
+  PairGeometry& with(const kb::StoredGeometry& known) {
+    if (!taken_ && known.inputs_sha256 == inputs_) geometry_.remember(known.answers);
+    taken_ = true;
+    return geometry_;
+  }
+  /// What to keep for the next run: `known` itself where nothing came to it.
+  [[nodiscard]] kb::StoredGeometry kept(const kb::StoredGeometry& known) const {
+    if (geometry_.has_news()) return {inputs_, geometry_.answers()};
+    return known.inputs_sha256 == inputs_ ? known : kb::StoredGeometry{};
+  }
+
+ private:
+  std::string inputs_;
+  PairGeometry geometry_;
+  bool taken_ = false;
+};
+
+}  // namespace
+
+Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known) {
   Facts out;
-  PairGeometry geometry(scene.planes);
-  std::vector<Box3> boxes;
   const std::string planes = digest(scene);
+  KeptGeometry geometry(scene, planes);
+  std::vector<Box3> boxes;
   for (const std::string& name : std::set<std::string>(relations.begin(), relations.end())) {
     const std::string inputs = implementation_->inputs(name, planes);
-    const auto found = known.find(name);
+    const auto found = known.facts.find(name);
     kb::RelationAsked& asked = out.asked[name];
-    if (found != known.end() && found->second.asked.inputs_sha256 == inputs) {
+    if (found != known.facts.end() && found->second.asked.inputs_sha256 == inputs) {
       out.facts.insert(out.facts.end(), found->second.facts.begin(), found->second.facts.end());
       asked = found->second.asked;
     } else {
       if (boxes.empty()) boxes = boxes_of(scene.planes);
       RuleFile& file = implementation_->relation(name);
       const std::size_t first = out.facts.size();
-      out.counts.push_back(implementation_->ask(file, scene, geometry, boxes, out.facts));
+      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), boxes, out.facts));
       asked = {out.counts.back().asked, out.counts.back().held, file.relation().within, file.relation().within_plan, inputs, {}};
       std::sort(out.facts.begin() + static_cast<std::ptrdiff_t>(first), out.facts.end(),
                 [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
     }
     out.reach[name] = {asked.within, asked.within_plan};
   }
+  out.geometry = geometry.kept(known.geometry);
   return out;
 }
 
-std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::Knowledge& knowledge) {
+std::vector<TupleConstraint> RuleSet::declared_constraints() const {
+  std::vector<TupleConstraint> out;
+  for (auto& [name, entry] : implementation_->tuple_constraints) out.push_back(implementation_->file(entry).constraint());
+  return out;
+}
+
+std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* known) const {
   std::vector<TupleConstraint> out;
   if (implementation_->tuple_constraints.empty()) return out;
-  PairGeometry geometry(scene.planes);
+  KeptGeometry kept(scene, digest(scene));
+  PairGeometry& geometry = kept.with(known == nullptr ? kb::StoredGeometry{} : *known);
   const std::vector<Box3> boxes = boxes_of(scene.planes);
   for (auto& [name, entry] : implementation_->tuple_constraints) {
     RuleFile& file = implementation_->file(entry);
@@ -255,19 +289,21 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
     }
     const Clock::time_point start = Clock::now();
     std::int64_t asked = 0;
+    std::vector<std::vector<int>> neighbours(scene.planes.size());
+    for (const auto& [a, b] : pairs_in_reach(boxes, constraint.within, constraint.within)) {
+      neighbours[static_cast<std::size_t>(a)].push_back(b);
+      neighbours[static_cast<std::size_t>(b)].push_back(a);
+    }
     file.look_at(&scene, &geometry);
     for (int a = 0; a < geometry.size(); ++a) {
-      std::vector<int> near;
-      for (int b = 0; b < geometry.size(); ++b) {
-        const auto box = [&](int i) -> const Box3& { return boxes[static_cast<std::size_t>(i)]; };
-        if (b != a && in_reach(box(a), box(b), constraint.within, constraint.within)) near.push_back(b);
-      }
+      std::vector<int>& near = neighbours[static_cast<std::size_t>(a)];
+      std::sort(near.begin(), near.end());
       std::vector<int> tuple{a};
       const auto extend = [&](const auto& self) -> void {
         if (tuple.size() == constraint.classes.size()) {
           if (asked++ % 64 == 0) implementation_->check_total(file, start, asked);
           const std::optional<double> degree = file.degree(tuple);
-          if (!degree || (constraint.every ? *degree >= 1 : *degree <= 0)) return;
+          if (!degree || (constraint.quantifier == kb::Quantifier::every ? *degree >= 1 : *degree <= 0)) return;
           std::vector<kb::PlaneId> ids;
           for (const int plane : tuple) ids.push_back(scene.ids[static_cast<std::size_t>(plane)]);
           constraint.tuples.push_back({std::move(ids), *degree});
@@ -285,6 +321,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
     file.look_at(nullptr, nullptr);
     out.push_back(std::move(constraint));
   }
+  if (known != nullptr) *known = kept.kept(*known);
   return out;
 }
 

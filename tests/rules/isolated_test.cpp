@@ -71,5 +71,17 @@ TEST(IsolatedRules, CannotUseMoreMemoryThanTheProcessMay) {
   EXPECT_NE(error.find("near.lua"), std::string::npos) << error;
 }
 
+TEST(IsolatedRules, RunTheirTestsAsInThisProcess) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "near.lua", "return relation { name = 'near', extends = 'near' }");
+  test::write_file(folder / "near_test.lua", "case('good', function() end)\ncase('bad', function() error('so it is', 0) end)");
+  EXPECT_EQ(as_text(run_rule_tests_isolated({folder.path()}, {})), as_text(run_rule_tests({folder.path()})));
+  Budget wide;
+  wide.instructions = std::int64_t{1} << 60;
+  wide.time = wide.total = std::chrono::hours(1);
+  test::write_file(folder / "near_test.lua", "case('endless', function() while true do end end)");
+  EXPECT_THROW((void)run_rule_tests_isolated({folder.path()}, wide, {.cpu_seconds = 1}), Error);
+}
+
 }  // namespace
 }  // namespace scenelore::rules

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "pair_geometry.hpp"
@@ -191,7 +192,7 @@ TEST(Relate, AsksAgainOnlyWhatHasChanged) {
   const Names names{"above", "near", "touching"};
   const Facts first = RuleSet::load().relate(scene, names);
   EXPECT_EQ(asked(first), names);
-  const auto known = stored(first);
+  const KnownAnswers known{stored(first), first.geometry};
   const Facts again = RuleSet::load().relate(scene, names, known);
   EXPECT_EQ(asked(again), Names{});
   ASSERT_EQ(again.facts.size(), first.facts.size());
@@ -208,6 +209,33 @@ TEST(Relate, AsksAgainOnlyWhatHasChanged) {
   EXPECT_EQ(asked(RuleSet::load({folder.path()}).relate(scene, names, known)), Names{"touching"});
   scene.planes[3].hull.outer[0].x() += 0.001;
   EXPECT_EQ(asked(RuleSet::load().relate(scene, names, known)), names);
+}
+
+TEST(Relate, TakesGeometryFromTheRunBeforeOnlyForTheSamePlanes) {
+  Scene scene = building(1);
+  const std::vector<std::string> names{"above", "near"};
+  const Facts fresh = RuleSet::load().relate(scene, names);
+  ASSERT_GT(fresh.geometry.answers.size(), 24U);
+  EXPECT_EQ(fresh.geometry.answers, RuleSet::load().relate(scene, names).geometry.answers);
+  const auto degrees = [](const Facts& facts) {
+    std::vector<std::tuple<std::string, kb::PlaneId, kb::PlaneId, double>> out;
+    for (const kb::RelationFact& f : facts.facts) out.emplace_back(f.relation, f.a, f.b, f.degree);
+    return out;
+  };
+  // Answers that say "far apart, nothing over anything": they show where they are used.
+  kb::StoredGeometry wrong = fresh.geometry;
+  for (std::size_t entry = 0; entry < wrong.answers.size(); entry += 24) {
+    double reach = 0;
+    std::memcpy(&reach, wrong.answers.data() + entry + 8, 8);
+    const double value = reach < 0 ? 50 : 0;
+    std::memcpy(wrong.answers.data() + entry + 16, &value, 8);
+  }
+  EXPECT_EQ(degrees(RuleSet::load().relate(scene, names, {{}, fresh.geometry})), degrees(fresh));
+  EXPECT_TRUE(RuleSet::load().relate(scene, names, {{}, wrong}).facts.empty());
+  // Neither a shortened text nor entries about planes that are not there do harm.
+  EXPECT_EQ(degrees(RuleSet::load().relate(scene, names, {{}, {fresh.geometry.inputs_sha256, std::string(35, '\xff')}})), degrees(fresh));
+  scene.planes[3].hull.outer[0].x() += 0.001;
+  EXPECT_EQ(degrees(RuleSet::load().relate(scene, names, {{}, wrong})), degrees(RuleSet::load().relate(scene, names)));
 }
 
 TEST(Relate, SortsFactsAndGivesTheSameTwice) {

@@ -1,4 +1,5 @@
-// How long `scenelore label FILE` takes after one changed row, the whole command: nine simulated rooms, and any scans given.
+// How long `scenelore label FILE` takes after one changed row, and after one edited rule, the whole command: nine simulated
+// rooms, and any scans given.
 // Usage: relabel [SCAN…]. Prints the CPU time (user + system, median of several runs) and the time on the clock.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +64,26 @@ void change_a_row(const fs::path& file, int turn) {
                   "WHERE weight IS NOT NULL AND enabled)", turn % 2 == 0 ? '+' : '-'), "benchmark");
 }
 
+/// The rule that is edited: `above` with another tolerance, in the folder of rules beside the files.
+void edit_a_rule(const fs::path& folder, int turn) {
+  fs::create_directories(folder / "rules");
+  std::ofstream(folder / "rules" / "above.lua")
+      << fmt::format("return relation {{ name = \"above\", extends = \"above\", enough = {} }}\n", turn % 2 == 0 ? 0.45 : 0.4);
+}
+
+/// Median times of labelling after each of several changes; the file is labelled once before.
+template <typename Change>
+Time median_time(const std::vector<std::string>& label, Change change) {
+  std::vector<double> cpu, clock;
+  for (int turn = 0; turn < kRuns; ++turn) {
+    change(turn);
+    const Time time = run(label);
+    cpu.push_back(time.cpu);
+    clock.push_back(time.clock);
+  }
+  return {median(cpu), median(clock)};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -82,25 +104,29 @@ int main(int argc, char** argv) {
       simulate(std::string("paper room ") + room, {"--seed", "5001", "--paper-room", room});
     }
     for (int i = 1; i < argc; ++i) scans.emplace_back(argv[i]);
-    fmt::print("{:<24} {:>6} {:>9} {:>9}\n", "scan", "planes", "CPU ms", "clock ms");
-    std::vector<double> medians;
+    fmt::print("{:<24} {:>6} {:>18} {:>18}\n{:<24} {:>6} {:>9}{:>9} {:>9}{:>9}\n", "", "", "after a row", "after a rule", "scan", "planes",
+               "CPU ms", "clock", "CPU ms", "clock");
+    std::vector<double> row_times, rule_times;
     for (const fs::path& scan : scans) {
-      const fs::path file = folder / (scan.stem().string() + ".gpkg");
+      const fs::path home = folder / ("of " + scan.stem().string());
+      fs::create_directories(home);
+      const fs::path file = home / "room.gpkg";
       run({program.string(), "segment", scan.string(), "--kb", file.string()});
-      run({program.string(), "label", file.string()});
-      std::vector<double> cpu, clock;
-      for (int turn = 0; turn < kRuns; ++turn) {
-        change_a_row(file, turn);
-        const Time time = run({program.string(), "label", file.string()});
-        cpu.push_back(time.cpu);
-        clock.push_back(time.clock);
-      }
+      const std::vector<std::string> label{program.string(), "label", file.string()};
+      run(label);
+      const Time row = median_time(label, [&](int turn) { change_a_row(file, turn); });
+      edit_a_rule(home, 1);
+      run(label);
+      const Time rule = median_time(label, [&](int turn) { edit_a_rule(home, turn); });
+      row_times.push_back(row.cpu);
+      rule_times.push_back(rule.cpu);
       const kb::KnowledgeBase base = kb::KnowledgeBase::open(file, kb::Access::read_only);
-      medians.push_back(median(cpu));
-      fmt::print("{:<24} {:>6} {:>9.0f} {:>9.0f}\n", scan.stem().string(), base.planes(base.scans().at(0).id).size(), medians.back(),
-                 median(clock));
+      fmt::print("{:<24} {:>6} {:>9.0f}{:>9.0f} {:>9.0f}{:>9.0f}\n", scan.stem().string(), base.planes(base.scans().at(0).id).size(), row.cpu,
+                 row.clock, rule.cpu, rule.clock);
     }
-    fmt::print("median {:.0f} ms, worst {:.0f} ms of CPU time\n", median(medians), *std::max_element(medians.begin(), medians.end()));
+    const auto worst = [](const std::vector<double>& times) { return *std::max_element(times.begin(), times.end()); };
+    fmt::print("CPU time after a row: median {:.0f} ms, worst {:.0f} ms; after a rule: median {:.0f} ms, worst {:.0f} ms\n", median(row_times),
+               worst(row_times), median(rule_times), worst(rule_times));
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     code = 1;

@@ -41,6 +41,10 @@ rules::Scene planes_of(const kb::KnowledgeBase& base, const kb::Scan& scan) {
   return rules::make_scene(scan, planes, kb::built_in_features(scan, planes));
 }
 
+rules::KnownAnswers known_about(const kb::KnowledgeBase& base, const kb::Scan& scan) {
+  return {base.facts(scan.id), base.pair_geometry(scan.id)};
+}
+
 Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Scene scene, rules::RuleAnswers answers) {
   Situation situation{.knowledge = base.knowledge(), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
   situation.scene.features = std::move(answers.table);
@@ -66,7 +70,7 @@ kb::Inference label_and_store(kb::KnowledgeBase& base, const kb::Scan& scan, con
 
 Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
   rules::Scene scene = planes_of(base, scan);
-  rules::RuleAnswers answers = rules::answer(rules, base.knowledge(), scene, base.facts(scan.id));
+  rules::RuleAnswers answers = rules::answer(rules, base.knowledge(), scene, known_about(base, scan));
   return situation_of(base, scan, std::move(scene), std::move(answers));
 }
 
@@ -79,7 +83,7 @@ kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::R
 kb::Inference label_scan_isolated(kb::KnowledgeBase& base, const kb::Scan& scan, const std::vector<fs::path>& folders,
                                   const rules::Budget& budget, const rules::LabellingOptions& options) {
   rules::Scene scene = planes_of(base, scan);
-  rules::RuleAnswers answers = rules::answer_isolated(folders, budget, base.knowledge(), scene, base.facts(scan.id));
+  rules::RuleAnswers answers = rules::answer_isolated(folders, budget, base.knowledge(), scene, known_about(base, scan));
   base.register_features(answers.features);
   const std::string hash = answers.hash;
   return label_and_store(base, scan, situation_of(base, scan, std::move(scene), std::move(answers)), hash, options);

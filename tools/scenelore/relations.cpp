@@ -60,7 +60,7 @@ class RelationsCommand : public Command {
     }
     std::map<kb::PlaneId, kb::Label> labels;
     for (const kb::Label& label : base.labels(scan.id)) labels[label.plane] = label;
-    SceneGraph graph{.scan = scan.name, .nodes = {}, .edges = rules.relate(situation.scene, wanted, base.facts(scan.id)).facts};
+    SceneGraph graph{.scan = scan.name, .nodes = {}, .edges = rules.relate(situation.scene, wanted, {base.facts(scan.id), base.pair_geometry(scan.id)}).facts};
     for (std::size_t i = 0; i < situation.scene.ids.size(); ++i) {
       GraphNode node{.plane = situation.scene.ids[i], .shape = situation.scene.planes[i]};
       if (const auto label = labels.find(node.plane); label != labels.end()) {

@@ -33,7 +33,7 @@ std::string main_reason(const std::vector<const kb::Reason*>& reasons) {
   return best ? best->sentence : "";
 }
 
-/// JSON has no infinity: null.
+/// JSON has no infinity and no NaN: null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json changes_json(const Report& report) {
@@ -54,12 +54,7 @@ Json to_json(const Report& report) {
                {"runner_up", label.runner_up ? Json(*label.runner_up) : Json(nullptr)},
                {"reasons", Json::array()}};
     for (const kb::Reason* reason : reasons[label.plane]) {
-      plane["reasons"].push_back({{"kind", reason->kind},
-                                  {"class", reason->object_class},
-                                  {"constraint", reason->constraint_name ? Json(*reason->constraint_name) : Json(nullptr)},
-                                  {"other_plane", reason->other_plane ? Json(*reason->other_plane) : Json(nullptr)},
-                                  {"amount", finite(reason->amount)},
-                                  {"sentence", reason->sentence}});
+      plane["reasons"].push_back(reason_json(*reason));
     }
     planes.push_back(std::move(plane));
   }
@@ -89,6 +84,22 @@ std::string outcome_sentence(const kb::Run& run) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json reason_json(const kb::Reason& reason) {
+  const auto text = [](const std::optional<std::string>& value) { return value ? Json(*value) : Json(nullptr); };
+  Json out{{"kind", reason.kind},
+           {"class", reason.object_class},
+           {"against", text(reason.against)},
+           {"constraint", text(reason.constraint_name)},
+           {"other_plane", reason.other_plane ? Json(*reason.other_plane) : Json(nullptr)},
+           {"amount", finite(reason.amount)},
+           {"sentence", reason.sentence}};
+  if (reason.term) {
+    out.update({{"feature", reason.term->feature}, {"value", reason.term->value}, {"mean", finite(reason.term->mean)},
+                {"sigma", finite(reason.term->sigma)}});
+  }
+  return out;
+}
 
 std::vector<LabelChange> changes(const Report& report) {
   std::vector<LabelChange> out;

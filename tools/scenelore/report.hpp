@@ -1,12 +1,16 @@
 // What `run` and `label` print: one line a labelled object, or the same as JSON.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "scenelore/kb/knowledge_base.hpp"
 
 namespace scenelore::tools {
+
+/// One reason with all its numbers.
+[[nodiscard]] nlohmann::ordered_json reason_json(const kb::Reason& reason);
 
 /// One scan's answer, ready to print.
 struct Report {

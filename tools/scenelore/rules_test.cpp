@@ -22,14 +22,15 @@ class RulesTestCommand : public Command {
   std::vector<Argument> arguments() override {
     return joined(std::vector<Argument>{{"DIR", &folders_, "DIR", "folders of rules (default: the built-in ones)", Effect::result},
                                         {"--tap", &tap_, "", "print the Test Anything Protocol, version 13"},
+                                        isolate_argument(isolate_),
                                         json_argument(json_)},
                   rules_.arguments());
   }
 
   int run() override {
     folders_.insert(folders_.end(), rules_.folders.begin(), rules_.folders.end());
-    const std::vector<rules::RuleTestFile> files =
-        rules::run_rule_tests(std::vector<std::filesystem::path>(folders_.begin(), folders_.end()), rules_.budget());
+    const std::vector<std::filesystem::path> folders(folders_.begin(), folders_.end());
+    const auto files = isolate_ ? rules::run_rule_tests_isolated(folders, rules_.budget()) : rules::run_rule_tests(folders, rules_.budget());
     if (json_) {
       print_json(files);
     } else {
@@ -52,7 +53,7 @@ class RulesTestCommand : public Command {
 
   std::vector<std::string> folders_;
   RuleArguments rules_;
-  bool tap_ = false, json_ = false;
+  bool tap_ = false, json_ = false, isolate_ = false;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // `scenelore watch`: labels again whenever a rule file or a row changes, and tells what that changed.
 #include <fmt/core.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -47,16 +48,17 @@ class WatchCommand : public Command {
   std::vector<Argument> arguments() override {
     return joined(std::vector<Argument>{positional("FILE", &file_, "FILE", "knowledge base file"),
                                         {"--for", &seconds_, "s", "stop after so long (default: until interrupted)", Effect::output, 0, 1e9},
-                                        {"--every", &milliseconds_, "ms", "how often to look", Effect::output, 10, 60'000}},
+                                        {"--every", &milliseconds_, "ms", "how often to look", Effect::output, 10, 60'000},
+                                        isolate_argument(isolate_)},
                   labelling_.arguments());
   }
 
   int run() override {
     kb::KnowledgeBase base = kb::KnowledgeBase::open(file_);
-    const rules::LabellingOptions options = labelling_.options();
+    const std::atomic<bool>* interrupted = interrupt_flag();
     const Clock::time_point start = Clock::now();
     const auto time_left = [&] {
-      return !options.solver.limits.interrupt->load() &&
+      return !interrupted->load() &&
              (!seconds_ || std::chrono::duration<double>(Clock::now() - start).count() < *seconds_);
     };
     const std::vector<fs::path> folders = pipeline::rule_folders(file_, labelling_.rules.folders);
@@ -68,7 +70,7 @@ class WatchCommand : public Command {
       if (first || now != version || found != files) {
         version = now;
         files = std::move(found);
-        label(base, folders, options);
+        label(base, folders);
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(static_cast<std::int64_t>(milliseconds_)));
     }
@@ -84,13 +86,13 @@ class WatchCommand : public Command {
   }
 
   /// A rule that is broken, or whose tests fail, or a row that makes no sense: the old answer stays.
-  void label(kb::KnowledgeBase& base, const std::vector<fs::path>& folders, const rules::LabellingOptions& options) const {
+  void label(kb::KnowledgeBase& base, const std::vector<fs::path>& folders) const {
     try {
       if (!folders.empty() && !tests_pass(folders)) return;
-      rules::RuleSet rules = labelling_.rules.load(base, file_);
+      std::optional<rules::RuleSet> rules;
       for (const kb::Scan& scan : base.scans()) {
         Report report{.file = file_, .scan = scan, .before = base.labels(scan.id), .corrected = new_corrections(base, scan)};
-        report.inference = pipeline::label_scan(base, scan, rules, options);
+        report.inference = label_scan(base, file_, scan, labelling_, isolate_, rules);
         fmt::print("{}: {} planes, {}\n", scan.name, report.inference.planes.size(), report.inference.run.outcome);
         print_changes(report);
       }
@@ -103,7 +105,8 @@ class WatchCommand : public Command {
   }
 
   [[nodiscard]] bool tests_pass(const std::vector<fs::path>& folders) const {
-    const std::vector<rules::RuleTestFile> tests = rules::run_rule_tests(folders, labelling_.rules.budget());
+    const rules::Budget budget = labelling_.rules.budget();
+    const auto tests = isolate_ ? rules::run_rule_tests_isolated(folders, budget) : rules::run_rule_tests(folders, budget);
     for (const rules::RuleTestFile& file : tests) {
       if (file.passed()) continue;
       fmt::print("{}the labels stay as they were\n", rules::as_text(tests));
@@ -116,6 +119,7 @@ class WatchCommand : public Command {
   std::string file_;
   std::optional<double> seconds_;
   double milliseconds_ = 300;
+  bool isolate_ = false;
   LabellingArguments labelling_;
 };
 

@@ -8,6 +8,7 @@
 #include "command_list.hpp"
 #include "exit_code.hpp"
 #include "options.hpp"
+#include "report.hpp"
 #include "scenelore/kb/error.hpp"
 
 namespace scenelore::tools {
@@ -49,28 +50,17 @@ class WhyCommand : public Command {
       throw kb::Error(fmt::format("{}: plane {} has no label yet; `scenelore label {}` labels its scan", file_, plane, file_));
     }
     const std::vector<kb::Reason> reasons = base.reasons(plane);
-    const std::vector<rules::FeatureReason> features = all_features(base, scan, *label);
     if (!json_) {
-      fmt::print("plane {} of {} is a {} ({:.2f})\n", plane, scan.name, label->object_class, label->probability);
-      for (const kb::Reason& reason : reasons) {
-        if (reason.kind != "feature") fmt::print("- {}\n", reason.sentence);
-      }
-      fmt::print("what each feature says, in nats:\n");
-      for (const rules::FeatureReason& feature : features) fmt::print("  {}\n", feature.sentence);
+      print_text(scan, *label, reasons);
       return kOk;
     }
     Json list = Json::array(), terms = Json::array();
     for (const kb::Reason& reason : reasons) {
-      list.push_back({{"kind", reason.kind},
-                      {"class", reason.object_class},
-                      {"constraint", reason.constraint_name ? Json(*reason.constraint_name) : Json(nullptr)},
-                      {"other_plane", reason.other_plane ? Json(*reason.other_plane) : Json(nullptr)},
-                      {"amount", finite(reason.amount)},
-                      {"sentence", reason.sentence}});
-    }
-    for (const rules::FeatureReason& f : features) {
-      terms.push_back({{"feature", f.feature}, {"value", f.value}, {"mean", finite(f.mean)}, {"sigma", finite(f.sigma)},
-                       {"contribution", f.gain}, {"sentence", f.sentence}});
+      if (!reason.term) list.push_back(reason_json(reason));
+      if (!reason.term) continue;
+      terms.push_back({{"feature", reason.term->feature}, {"value", reason.term->value}, {"mean", finite(reason.term->mean)},
+                       {"sigma", finite(reason.term->sigma)}, {"contribution", reason.amount}, {"against", reason.against.value_or("")},
+                       {"sentence", reason.sentence}});
     }
     print(Json{{"plane", plane},
                {"scan", scan.name},
@@ -83,22 +73,19 @@ class WhyCommand : public Command {
     return kOk;
   }
 
-  /// Of the label's class against its runner-up, else against the class that features like best after it.
-  std::vector<rules::FeatureReason> all_features(const kb::KnowledgeBase& base, const kb::Scan& scan, const kb::Label& label) const {
-    rules::RuleSet rules = rules_.load(base, file_);
-    const pipeline::Situation s = pipeline::assess(base, scan, rules);
-    const auto found = std::find(s.scene.ids.begin(), s.scene.ids.end(), label.plane);
-    const int plane = static_cast<int>(found - s.scene.ids.begin()), own = s.knowledge.class_index(label.object_class);
-    int other = label.runner_up ? s.knowledge.class_index(*label.runner_up) : -1;
-    const std::vector<double>& p = s.evidence[static_cast<std::size_t>(plane)];
-    for (int c = 0; other < 0 && c < static_cast<int>(p.size()); ++c) {
-      const bool better = std::none_of(p.begin(), p.end(), [&](const double& q) {
-        return q > p[static_cast<std::size_t>(c)] && &q - p.data() != own;
-      });
-      if (c != own && better) other = c;
+  void print_text(const kb::Scan& scan, const kb::Label& label, const std::vector<kb::Reason>& reasons) const {
+    fmt::print("plane {} of {} is a {} ({:.2f})\n", label.plane, scan.name, label.object_class, label.probability);
+    if (reasons.empty()) fmt::print("no reasons are stored; `scenelore label {}` stores them\n", file_);
+    bool header = false;
+    for (const kb::Reason& reason : reasons) {
+      if (!reason.term) fmt::print("- {}\n", reason.sentence);
     }
-    if (own < 0 || other < 0) return {};
-    return rules::feature_reasons(s.knowledge, s.scene, plane, own, other);
+    for (const kb::Reason& reason : reasons) {
+      if (!reason.term) continue;
+      if (!header) fmt::print("what each feature says, in nats for {} against {}:\n", label.object_class, reason.against.value_or("?"));
+      header = true;
+      fmt::print("{:+8.2f}  {}\n", reason.amount, reason.sentence.substr(0, reason.sentence.rfind(": ")));
+    }
   }
 
   /// JSON has no infinity and no NaN: null.

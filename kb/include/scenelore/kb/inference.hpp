@@ -58,6 +58,22 @@ struct Reason {
   std::optional<PlaneId> other_plane;
   double amount = 0;  ///< nats in favour (> 0) or against (< 0)
   std::string sentence;
+  /// Of kind feature: one for each feature known of the plane, against the runner-up.
+  struct Term {
+    std::string feature;
+    double value = 0;
+    double mean = 0, sigma = 0;  ///< of the class, on the feature's scale; NaN without a class_feature row
+    bool operator==(const Term&) const = default;
+  };
+  std::optional<Term> term = std::nullopt;
+  std::optional<std::string> against = std::nullopt;  ///< class that a feature, evidence or runner_up reason compares with
+};
+
+/// Geometry between the planes of a scan, kept for the next run: what it was computed from, and entries as bytes that only
+/// the module that wrote them reads.
+struct StoredGeometry {
+  std::string inputs_sha256;
+  std::string answers;
 };
 
 /// Facts of one relation as the knowledge base holds them, by a and b.
@@ -74,6 +90,7 @@ struct Inference {
   std::vector<std::vector<double>> evidence;     ///< [plane][class]
   std::vector<RelationFact> facts;                ///< by relation
   std::map<std::string, RelationAsked> asked;    ///< by relation
+  StoredGeometry geometry;
   std::vector<Label> labels;
   std::vector<Alternative> alternatives;
   std::vector<Reason> reasons;

@@ -101,6 +101,8 @@ class KnowledgeBase {
   std::int64_t store_inference(ScanId scan, const Inference& inference);
   /// By relation; only those whose rows of relation_fact are as they were written.
   [[nodiscard]] std::map<std::string, StoredFacts> facts(ScanId scan) const;
+  /// Empty where nothing is kept.
+  [[nodiscard]] StoredGeometry pair_geometry(ScanId scan) const;
   [[nodiscard]] std::vector<Label> labels(ScanId scan) const;
   [[nodiscard]] std::vector<Reason> reasons(PlaneId plane) const;
 

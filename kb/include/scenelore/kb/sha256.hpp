@@ -19,6 +19,9 @@ class Sha256 {
   /// 64 lower-case hexadecimal digits. The object must not be used afterwards.
   [[nodiscard]] std::string hex();
 
+  /// Whether the processor's SHA instructions are used where it has them; the result is the same. For tests.
+  static bool use_hardware;
+
  private:
   void compress(const std::byte* block);
   std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,

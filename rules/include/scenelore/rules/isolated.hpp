@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenelore/rules/rule_set.hpp"
+#include "scenelore/rules/testing.hpp"
 
 namespace scenelore::rules {
 
@@ -21,7 +22,7 @@ struct RuleAnswers {
 
 /// In this process. Throws Error as RuleSet and used_relations do.
 [[nodiscard]] RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
-                                 const std::map<std::string, kb::StoredFacts>& known);
+                                 const KnownAnswers& known);
 
 /// rlimits of the child, on top of the budgets of the sandbox.
 struct Isolation {
@@ -31,10 +32,14 @@ struct Isolation {
 
 /// The same in a child process, which also loads the rules. No file can grow in it (RLIMIT_FSIZE 0), it can start no other
 /// process (RLIMIT_NPROC 0, unless root asks) and gain no rights (no_new_privs). Throws Error with the child's own message,
-/// or with what ended it. What comes back is checked: facts about planes that are not there, or with degrees outside (0, 1],
+/// or with what ended it. Geometry to keep does not come back. What does is checked: facts about planes that are not there, or with degrees outside (0, 1],
 /// are errors later on.
 [[nodiscard]] RuleAnswers answer_isolated(const std::vector<std::filesystem::path>& directories, const Budget& budget,
                                           const kb::Knowledge& knowledge, const Scene& scene,
-                                          const std::map<std::string, kb::StoredFacts>& known, const Isolation& limits = {});
+                                          const KnownAnswers& known, const Isolation& limits = {});
+
+/// run_rule_tests in such a process; the planes that expectations asked about are left out.
+[[nodiscard]] std::vector<RuleTestFile> run_rule_tests_isolated(const std::vector<std::filesystem::path>& directories,
+                                                                const Budget& budget, const Isolation& limits = {});
 
 }  // namespace scenelore::rules

@@ -27,6 +27,8 @@ struct ConstraintOrigin {
   int row = -1;  ///< index into Knowledge::constraints
   int a = -1;    ///< index into Scene::planes of the plane that the row speaks about, −1 = the whole scene
   int b = -1;    ///< the other plane of a pair, −1 = several
+  std::vector<int> more;    ///< of a tuple: the planes after a and b
+  bool definition = false;  ///< only says what a conjunction stands for; never broken, not of a row (row is −1)
 };
 
 /// How the floor to start from was found under `floor` = `threshold`.
@@ -41,7 +43,7 @@ struct FloorStart {
 inline constexpr double kImpossibleEvidence = 60;
 inline constexpr double kBrokenRow = 1000;
 
-/// An engine problem about a scene: one variable a plane (by height, bottom up), one label a class.
+/// An engine problem about a scene: one variable a plane (by height, bottom up), one label a class; then one a conjunction.
 struct LabellingProblem {
   engine::Problem problem;
   std::vector<int> plane_of_variable;                ///< index into Scene::planes
@@ -49,6 +51,9 @@ struct LabellingProblem {
   std::vector<std::vector<int>> class_of_label;      ///< [variable][label] → index into Knowledge::classes, best first
   std::vector<std::vector<int>> label_of_class;      ///< [variable][class] → label, −1 = ruled out (truth)
   std::vector<ConstraintOrigin> origins;             ///< one a constraint of the problem
+  /// "These planes are all of these classes": variables of their own after those of the planes, labels no (0) and yes (1),
+  /// that follow from the labels of the planes. `some` over several planes leans on them.
+  std::vector<std::vector<engine::Literal>> conjunctions;
   std::optional<FloorStart> floor;                   ///< only under `floor` = `threshold`
 };
 
@@ -78,18 +83,6 @@ struct LabellingOptions {
                                   const std::vector<std::vector<double>>& evidence, const Facts& facts,
                                   const std::vector<std::pair<kb::PlaneId, std::string>>& truth,
                                   const LabellingOptions& options = {});
-
-/// What one feature says for one class against another.
-struct FeatureReason {
-  std::string feature;
-  double value = 0;
-  double mean = 0, sigma = 0;  ///< of the class, on the feature's scale; NaN without a class_feature row
-  double gain = 0;             ///< nats for the class against the other one, weighted
-  std::string sentence;        ///< "height 0.74 m (typical 0.73 ± 0.05): 1.2 for table against shelf"
-};
-/// All features that are known of a plane, strongest first; classes by index of Knowledge::classes.
-[[nodiscard]] std::vector<FeatureReason> feature_reasons(const kb::Knowledge& knowledge, const Scene& scene, int plane,
-                                                         int object_class, int other_class);
 
 /// Why a plane is not `object_class`: the cheapest world where it is, as sentences (last one a summary); what else changes.
 struct WhyNot {

@@ -49,16 +49,18 @@ struct Reach {
 
 /// A constraint written in Lua, over two to four planes at once, and what it found in a scene.
 struct TupleConstraint {
-  std::string name, summary;
+  std::string name, summary, file;
   std::vector<std::string> classes;  ///< of the planes, that of the first first
-  bool every = false;                ///< each tuple pays weight · (1 − degree); else (`no`) weight · degree
+  /// `no`: each tuple pays weight · degree; `every`: weight · (1 − degree); `some`: each first plane pays weight · (1 − degree
+  /// of its best tuple), all of it without one.
+  kb::Quantifier quantifier = kb::Quantifier::no;
   std::optional<double> weight;      ///< nats; nothing = hard
   double within = 0;                 ///< metres between the box of the first plane and those of the others
   struct Tuple {
     std::vector<kb::PlaneId> planes;
     double degree = 0;
   };
-  std::vector<Tuple> tuples;         ///< by planes; those that pay nothing are left out
+  std::vector<Tuple> tuples;         ///< by planes; those that change nothing are left out
 };
 
 struct Facts {
@@ -67,6 +69,13 @@ struct Facts {
   std::map<std::string, Reach> reach;  ///< by relation; one without an entry reaches everywhere
   std::vector<TupleConstraint> constraints;  ///< of Lua files, by name
   std::map<std::string, kb::RelationAsked> asked;  ///< by relation; what the knowledge base keeps beside the facts
+  kb::StoredGeometry geometry;                     ///< for the next run; empty = nothing new
+};
+
+/// What the knowledge base keeps from the last run over a scan. All of it is checked against what it was found from.
+struct KnownAnswers {
+  std::map<std::string, kb::StoredFacts> facts;  ///< by relation
+  kb::StoredGeometry geometry;
 };
 
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
@@ -90,12 +99,13 @@ class RuleSet {
   /// Appends the Lua features' values to `table`; NaN where a feature does not know.
   void compute_features(const Scene& scene, kb::FeatureTable& table);
   /// Which of the named relations hold between which planes; only pairs within reach are asked. A relation whose rule and
-  /// planes are those of an entry of `known` is not asked at all.
-  Facts relate(const Scene& scene, const std::vector<std::string>& relations,
-               const std::map<std::string, kb::StoredFacts>& known = {});
-  /// The constraints of Lua files with the tuples of planes that cost something. Throws Error for a class that is not there,
-  /// and for a name that a row has too.
-  std::vector<TupleConstraint> constraints(const Scene& scene, const kb::Knowledge& knowledge);
+  /// planes are those of an entry of `known` is not asked at all; one that is asked finds the geometry there.
+  Facts relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known = {});
+  /// The constraints of Lua files with the tuples of planes that change something. Throws Error for a class that is not there,
+  /// and for a name that a row has too. `geometry`, when given, is used and brought up to date.
+  std::vector<TupleConstraint> constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* geometry = nullptr) const;
+  /// Their names, without asking them anything.
+  [[nodiscard]] std::vector<TupleConstraint> declared_constraints() const;
   /// The degree of one relation between two planes by index, wherever they are; for checks and tests.
   [[nodiscard]] double degree(const std::string& relation, const Scene& scene, int a, int b) const;
 
