@@ -14,8 +14,12 @@ class Relevant {
   std::vector<int> constraints(const std::vector<int>& assignment) const;
 
  private:
-  std::vector<int> first_label_;               ///< of each variable among all labels
-  std::vector<std::vector<int>> of_label_;     ///< constraints that cost nothing unless this label holds
+  struct Entry {
+    int constraint;
+    Literal too;  ///< the constraint costs nothing unless this literal holds as well
+  };
+  std::vector<int> first_label_;                 ///< of each variable among all labels
+  std::vector<std::vector<Entry>> of_label_;     ///< constraints that cost nothing unless this label holds
   std::vector<int> always_;
 };
 

@@ -240,7 +240,7 @@ void Reasoner::add_supports(const std::vector<double>& margins) {
     const int b = about_.compiled.plane_of_variable[at(found.first->literal.variable)];
     const double degree = row.relation ? about_.facts.degree(*row.relation, a, b) : 1;
     double amount = found.second - found.first->cost;
-    std::string without = "; without it " + number(amount) + " more";
+    std::string without = amount < 0.005 ? "; another one would do" : "; without it " + number(amount) + " more";
     if (std::isinf(amount)) {
       amount = std::isinf(margins[at(a)]) ? 0 : margins[at(a)];
       without = "; without it the plane could not be " + about_.class_name(best_.class_of(a));
@@ -256,7 +256,7 @@ void Reasoner::add_supports(const std::vector<double>& margins) {
 /// `some` over several planes: the reason of the first plane, and of those it leans on.
 void Reasoner::add_tuple_support(const kb::ClassConstraint& row, const TupleConstraint::Tuple& tuple, double amount, double margin) {
   const int a = index_.at(tuple.planes[0]);
-  std::string without = "; without them " + number(amount) + " more";
+  std::string without = amount < 0.005 ? "; others would do" : "; without them " + number(amount) + " more";
   if (std::isinf(amount)) {
     amount = std::isinf(margin) ? 0 : margin;
     without = "; without them the plane could not be " + about_.class_name(best_.class_of(a));

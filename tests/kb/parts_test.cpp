@@ -31,6 +31,18 @@ TEST(Sha256, GivesTheDigestsOfTheStandard) {
   EXPECT_EQ(sha256_of(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Sha256, IsTheSameWithAndWithoutTheProcessorsInstructions) {
+  std::string text;
+  for (int size = 0; size < 300; ++size) {
+    Sha256::use_hardware = true;
+    const std::string fast = sha256_of(text);
+    Sha256::use_hardware = false;
+    EXPECT_EQ(sha256_of(text), fast) << size << " bytes";
+    text += static_cast<char>(37 * size + 11);
+  }
+  Sha256::use_hardware = true;
+}
+
 TEST(Sha256, DoesNotDependOnHowTheBytesArrive) {
   const std::string text(317, 'x');
   for (std::size_t piece = 1; piece < 130; ++piece) {

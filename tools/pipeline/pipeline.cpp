@@ -45,8 +45,9 @@ rules::KnownAnswers known_about(const kb::KnowledgeBase& base, const kb::Scan& s
   return {base.facts(scan.id), base.pair_geometry(scan.id)};
 }
 
-Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Scene scene, rules::RuleAnswers answers) {
-  Situation situation{.knowledge = base.knowledge(), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
+Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::Knowledge knowledge, rules::Scene scene,
+                       rules::RuleAnswers answers) {
+  Situation situation{.knowledge = std::move(knowledge), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
   situation.scene.features = std::move(answers.table);
   situation.knowledge = rules::with_tuple_constraints(std::move(situation.knowledge), situation.facts);
   situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
@@ -70,8 +71,9 @@ kb::Inference label_and_store(kb::KnowledgeBase& base, const kb::Scan& scan, con
 
 Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
   rules::Scene scene = planes_of(base, scan);
-  rules::RuleAnswers answers = rules::answer(rules, base.knowledge(), scene, known_about(base, scan));
-  return situation_of(base, scan, std::move(scene), std::move(answers));
+  kb::Knowledge knowledge = base.knowledge();
+  rules::RuleAnswers answers = rules::answer(rules, knowledge, scene, known_about(base, scan));
+  return situation_of(base, scan, std::move(knowledge), std::move(scene), std::move(answers));
 }
 
 kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
@@ -86,7 +88,7 @@ kb::Inference label_scan_isolated(kb::KnowledgeBase& base, const kb::Scan& scan,
   rules::RuleAnswers answers = rules::answer_isolated(folders, budget, base.knowledge(), scene, known_about(base, scan));
   base.register_features(answers.features);
   const std::string hash = answers.hash;
-  return label_and_store(base, scan, situation_of(base, scan, std::move(scene), std::move(answers)), hash, options);
+  return label_and_store(base, scan, situation_of(base, scan, base.knowledge(), std::move(scene), std::move(answers)), hash, options);
 }
 
 kb::KnowledgeBase open_or_create(const fs::path& path, const std::string& knowledge) {

@@ -26,8 +26,8 @@ std::map<kb::PlaneId, std::vector<const kb::Reason*>> reasons_by_plane(const kb:
 std::string main_reason(const std::vector<const kb::Reason*>& reasons) {
   const kb::Reason* best = nullptr;
   for (const kb::Reason* reason : reasons) {
-    const bool constraint = reason->kind == "support" || reason->kind == "truth";
-    const bool best_is_constraint = best && (best->kind == "support" || best->kind == "truth");
+    const bool constraint = (reason->kind == "support" && reason->amount >= 0.005) || reason->kind == "truth";
+    const bool best_is_constraint = best && best->kind != "evidence";
     if (!best || (constraint && (!best_is_constraint || reason->amount > best->amount))) best = reason;
   }
   return best ? best->sentence : "";
