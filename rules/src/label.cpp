@@ -196,7 +196,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   Reasoner reasoner(about, best);
   for (int plane = 0; plane < about.planes(); ++plane) {
     if (known.contains(about.id(plane))) reasoner.add_truth(plane);
-    reasoner.add_evidence(plane, out.labels[at(plane)]);
+    reasoner.add_evidence(plane);
   }
   reasoner.add_floor();
   reasoner.add_supports(margins);

@@ -85,7 +85,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
 
 void LuaState::start_counting() {
   spent_ = 0;
-  start_ = std::chrono::steady_clock::now();
+  timed_ = false;  // most calls end before the hook runs and never look at the clock
   if (exhausted_ || lua_gethook(lua_) == nullptr) lua_sethook(lua_, count_hook, LUA_MASKCOUNT, kStep);
   exhausted_ = false;
   refused_memory_ = false;
@@ -94,7 +94,10 @@ void LuaState::start_counting() {
 void LuaState::count_hook(lua_State* state, lua_Debug*) {
   LuaState& self = of(state);
   self.spent_ += kStep;
-  const bool too_long = std::chrono::steady_clock::now() - self.start_ > self.budget_.time;
+  const auto now = std::chrono::steady_clock::now();
+  if (!self.timed_) self.start_ = now;
+  self.timed_ = true;
+  const bool too_long = now - self.start_ > self.budget_.time;
   if (!self.exhausted_ && self.spent_ <= self.budget_.instructions && !too_long) return;
   if (!self.exhausted_) lua_sethook(state, count_hook, LUA_MASKCOUNT, 1);  // a pcall around this must not run on
   self.exhausted_ = true;

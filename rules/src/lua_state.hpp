@@ -69,7 +69,8 @@ class LuaState {
   char refused_place_[80] = {};  // the same while inside the allocator, which must not allocate
   std::int64_t spent_ = 0;
   bool exhausted_ = false;
-  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point start_;  // of this call, from when the hook first ran
+  bool timed_ = false;
   std::string shown_, chunk_;
   char traceback_[600] = {};  // of the error that is being described
 };

@@ -142,21 +142,20 @@ std::string Reasoner::strongest_features(const std::vector<FeatureReason>& stron
   return out;
 }
 
-void Reasoner::add_evidence(int plane, const kb::Label& label) {
+void Reasoner::add_evidence(int plane) {
   const int object_class = best_.class_of(plane);
   const std::vector<double>& p = about_.evidence[at(plane)];
   const int rival = rivals_[at(plane)];
   const double most = std::exp(-kImpossibleEvidence);
   const double amount =
       rival < 0 ? 0 : std::log(std::max(p[at(object_class)], most)) - std::log(std::max(p[at(rival)], most));
-  std::string sentence = "plane " + std::to_string(label.plane) + " is " + label.object_class + " (" +
-                         number(label.probability) + "; from features alone " + number(p[at(object_class)]);
+  std::string sentence = "from features alone " + number(p[at(object_class)]);
   if (rival >= 0) {
     sentence += std::string(amount < 0 ? ", which prefer " : ", before ") + about_.class_name(rival) + " with " + number(p[at(rival)]);
   }
   const std::vector<FeatureReason> strongest =
       mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
-  add(plane, "evidence", amount, sentence + ")" + strongest_features(strongest));
+  add(plane, "evidence", amount, sentence + strongest_features(strongest));
   if (rival < 0) return;
   const std::string &mine = about_.class_name(object_class), &theirs = about_.class_name(rival);
   by_plane_[at(plane)].back().against = theirs;

@@ -21,7 +21,7 @@ class Reasoner {
 
   /// `rival` is the best world in which the plane is something else; nullptr where there is none or it is not known.
   void add_rival(int plane, const kb::Label& label, const World* rival);
-  void add_evidence(int plane, const kb::Label& label);
+  void add_evidence(int plane);
   void add_truth(int plane);
   void add_floor();
   void add_supports(const std::vector<double>& margins);

@@ -64,6 +64,15 @@ void RuleFile::take_over() {
     kind_ = Kind::relation;
     relation_ = {.name = name_, .summary = text_field("summary"), .file = source_.shown,
                  .within = number_field("within"), .within_plan = number_field("within_plan")};
+    lua_pushliteral(state, "direct");
+    if (lua_rawget(state, -2) == LUA_TFUNCTION) {
+      direct_ = luaL_ref(state, LUA_REGISTRYINDEX);
+      lua_pushliteral(state, "self");
+      lua_rawget(state, -2);
+      self_ = luaL_ref(state, LUA_REGISTRYINDEX);
+    } else {
+      lua_pop(state, 1);
+    }
     lua_pushliteral(state, "symmetric");
     lua_rawget(state, -2);
     relation_.symmetric = lua_toboolean(state, -1) != 0;
@@ -123,10 +132,22 @@ void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) { set_scene(*
 
 double RuleFile::degree(int a, int b) {
   lua_State* state = host_->lua.get();
-  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
-  push_plane(*host_, a);
-  push_plane(*host_, b);
   try {
+    if (direct_ != LUA_NOREF) {
+      lua_rawgeti(state, LUA_REGISTRYINDEX, direct_);
+      push_plane(*host_, a);
+      push_plane(*host_, b);
+      lua_rawgeti(state, LUA_REGISTRYINDEX, self_);
+      host_->lua.call(3, 1);
+      const bool flag = lua_type(state, -1) == LUA_TBOOLEAN;
+      const double degree = flag ? lua_toboolean(state, -1) : lua_type(state, -1) == LUA_TNUMBER ? lua_tonumber(state, -1) : -1;
+      lua_pop(state, 1);
+      if (degree >= 0 && degree <= 1) return degree;
+    }
+    // The checked way, which says what is wrong with an answer.
+    lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+    push_plane(*host_, a);
+    push_plane(*host_, b);
     host_->lua.call(2, 1);
   } catch (const Error& error) {
     const auto id = [&](int plane) { return std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]); };

@@ -60,6 +60,7 @@ class RuleFile {
   kb::Feature feature_;
   TupleConstraint constraint_;
   int ask_ = LUA_NOREF;
+  int direct_ = LUA_NOREF, self_ = LUA_NOREF;  // of a relation without `applies`: its own function, its tolerances
 };
 
 }  // namespace scenelore::rules

@@ -29,6 +29,14 @@ std::vector<std::string> forbidding_rows(const Case& about, engine::Literal want
   return {rows.begin(), rows.end()};
 }
 
+/// "2.3 times", "about 12000 times": two digits are enough for a ratio.
+std::string times(double ratio) {
+  if (!(ratio < 1e12)) return "more than a million million times";
+  if (ratio < 100) return number(ratio, 1) + " times";
+  const double unit = std::pow(10, std::floor(std::log10(ratio)) - 1);
+  return "about " + number(std::round(ratio / unit) * unit, 0) + " times";
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
@@ -99,7 +107,7 @@ WhyNot why_not(const kb::Knowledge& knowledge, const Scene& scene, const std::ve
   }
   tell_differences(about, best, there, plane, out);
   return end(" is " + about.class_name(best.class_of(plane)) + "; the best labelling with it as " + object_class + " costs " +
-             number(out.extra_cost) + " more, which makes it " + number(std::exp(out.extra_cost), 1) + " times less likely");
+             number(out.extra_cost) + " more, which makes it " + times(std::exp(out.extra_cost)) + " less likely");
 }
 
 }  // namespace scenelore::rules

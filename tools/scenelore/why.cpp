@@ -97,7 +97,8 @@ class WhyCommand : public Command {
     const rules::WhyNot answer = rules::why_not(situation.knowledge, situation.scene, situation.evidence, situation.facts,
                                                 situation.truth, plane, *object_class_);
     if (!json_) {
-      for (const std::string& sentence : answer.sentences) fmt::print("{}\n", sentence);
+      fmt::print("{}\n", answer.sentences.back());  // the summary
+      for (std::size_t i = 0; i + 1 < answer.sentences.size(); ++i) fmt::print("- {}\n", answer.sentences[i]);
       return kOk;
     }
     Json changes = Json::array();
