@@ -88,6 +88,7 @@ class Compiler {
   void add_tuple(int row, int a, const std::vector<Literal>& members, double cost);
   void add_some_tuple(int row, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples);
   Literal conjunction(std::vector<Literal> members);
+  const std::vector<std::pair<int, int>>& in_reach_of(const Reach& reach);
   [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
@@ -100,7 +101,7 @@ class Compiler {
   double hold_;
   int fallback_;
   std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
-  std::vector<Box3> boxes_;         // of the planes, made when a row needs them
+  std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs_;  // by reach, made when a row needs them
   std::map<std::tuple<int, int, int, int>, int> tables_;
   std::map<kb::PlaneId, int> index_of_id_;                 // made when a Lua constraint needs it
   std::map<std::vector<Literal>, int> conjunctions_;       // by members: their variable
@@ -327,11 +328,17 @@ void Compiler::add_pairs(int index, int subject, int other) {
   }
   const auto found = facts_.reach.find(*row.relation);
   const Reach reach = found == facts_.reach.end() ? Reach{} : found->second;
-  if (boxes_.empty()) boxes_ = boxes_of(scene_.planes);
-  for (const auto& [a, b] : pairs_in_reach(boxes_, reach.within, reach.within_plan)) {
+  for (const auto& [a, b] : in_reach_of(reach)) {
     take(a, b);
     take(b, a);
   }
+}
+
+/// Many rows use relations of one reach.
+const std::vector<std::pair<int, int>>& Compiler::in_reach_of(const Reach& reach) {
+  const auto [entry, fresh] = pairs_.try_emplace({reach.within, reach.within_plan});
+  if (fresh) entry->second = pairs_in_reach(boxes_of(scene_.planes), reach.within, reach.within_plan);
+  return entry->second;
 }
 
 void Compiler::add_pair(int row, int subject, int other, int a, int b, double forth, double back) {

@@ -294,8 +294,9 @@ double share_within(const Region& a, const Region& b, double reach) {
   if (area <= 0) return 0;
   if (reach <= 0) return std::clamp(shared_area(a, b) / area, 0.0, 1.0);
   double shared = 0, all = 0;
-  const std::vector<Level> edges_a = levels(a), edges_b = levels(b);
-  std::vector<Level> close_b = edges_b;
+  const std::vector<Level> edges_a = levels(a);
+  std::vector<Level> edges_b = levels(b), close_b = edges_b;
+  std::erase_if(edges_b, [&](const Level& edge) { return edge.high < a.box.min().y() || edge.low > a.box.max().y(); });
   const Box2 around(a.box.min().array() - reach, a.box.max().array() + reach);
   std::erase_if(close_b, [&](const Level& edge) { return !crosses_box(edge.from, edge.to, around); });
   const std::vector<double> cuts = slab_heights(a, b, reach);

@@ -33,6 +33,14 @@ std::string main_reason(const std::vector<const kb::Reason*>& reasons) {
   return best ? best->sentence : "";
 }
 
+/// Why a label is no longer what it was: a truth row, what the old class would cost, else the label's own reason.
+std::string reason_of_change(const std::vector<const kb::Reason*>& reasons, const std::string& was) {
+  for (const kb::Reason* reason : reasons) {
+    if (reason->kind == "truth" || (reason->kind == "runner_up" && reason->against == was)) return reason->sentence;
+  }
+  return main_reason(reasons);
+}
+
 /// JSON has no infinity and no NaN: null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -110,7 +118,7 @@ std::vector<LabelChange> changes(const Report& report) {
   for (const kb::Label& label : report.inference.labels) {
     const auto found = old.find(label.plane);
     if (found == old.end() || found->second == label.object_class) continue;
-    out.push_back({label.plane, found->second, label.object_class, main_reason(reasons[label.plane])});
+    out.push_back({label.plane, found->second, label.object_class, reason_of_change(reasons[label.plane], found->second)});
   }
   return out;
 }
