@@ -248,8 +248,7 @@ void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff) {
 
 }  // namespace
 
-Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection,
-                        Cost cutoff) {
+Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection) {
   const std::size_t count = problem.variables().size();
   const auto& constraints = problem.constraints();
   const auto used = [&](std::size_t c) { return selection.constraints.empty() || selection.constraints[c] != 0; };
@@ -290,6 +289,12 @@ Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound,
   for (std::size_t c = 0; c < constraints.size(); ++c)
     if (used(c)) compiler.add(static_cast<int>(c), constraints[c]);
   compiler.finish();
+  return result;
+}
+
+Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection,
+                        Cost cutoff) {
+  Decomposition result = build_parts(problem, scale, selection);
   propagate_roots(result, bound, cutoff);
   return result;
 }

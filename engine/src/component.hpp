@@ -57,7 +57,10 @@ struct Selection {
   std::vector<std::vector<char>> labels;  ///< at least one of each variable
 };
 
-/// Each network is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
+/// Networks are not closed yet.
+Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection = {});
+
+/// The same with closed networks. Each is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection = {},
                         Cost cutoff = kTop / 2);
 

@@ -25,7 +25,7 @@ bool Network::settle(int v) {
   }
   for (int i = at(v).live - 1; i >= 0; --i) {
     const int label = order_[static_cast<std::size_t>(at(v).first + i)];
-    if (bound() + unary(v, label) >= limit_ && !remove(v, label)) return false;
+    if (bound() + unary(v, label) >= limit_ && !strike(v, label)) return false;
   }
   return true;
 }
@@ -85,7 +85,7 @@ bool Network::commit(int to) {
     const int label = order_[static_cast<std::size_t>(at(to).first + i)];
     if (!is_forbidden(gain_[static_cast<std::size_t>(label)])) continue;
     failed_constraint_ = source_;
-    if (!remove(to, label)) return false;
+    if (!strike(to, label)) return false;
   }
   if (!rose) return true;
   failed_constraint_ = -1;
@@ -118,7 +118,7 @@ void Network::pull(const View& view) {
     }
     least -= shift;
     if (least <= 0) continue;
-    if (bound() + unary(view.to, to[i]) + gain + least >= limit_) {
+    if (goes(least, bound() + unary(view.to, to[i]) + gain + least)) {
       gain = kTop;
       got[i] = -1;  // this label goes, so nothing need be paid for it
       continue;
@@ -158,7 +158,7 @@ bool Network::project(const View& view, bool only_forbidden) {
     if (least <= 0) continue;
     if (bound() + unary(view.to, label) + least >= limit_) {
       if (!is_forbidden(least)) failed_constraint_ = -1;
-      if (!remove(view.to, label)) return false;
+      if (!strike(view.to, label)) return false;
       continue;
     }
     if (only_forbidden) continue;

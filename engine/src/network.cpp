@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "proof_log.hpp"
+
 namespace scenelore::engine {
 
 int Network::add_variable(const std::vector<Cost>& costs) {
@@ -264,6 +266,12 @@ void Network::set(int index, Cost cost) {
     saved_costs_.push_back({index, cost_[i]});
   }
   cost_[i] = cost;
+  if (log_ != nullptr) log_->changed(index);
+}
+
+bool Network::strike(int v, int label) {
+  if (log_ != nullptr && is_live(v, label)) log_->struck(v, label);
+  return remove(v, label);
 }
 
 bool Network::fail(int v) {

@@ -23,6 +23,8 @@
 
 namespace scenelore::engine {
 
+class ProofLog;
+
 /// Cost of each pair of labels of two variables.
 struct BinaryFunction {
   int x, y;            ///< x < y
@@ -105,6 +107,11 @@ class Network {
   void close();
   /// False: propagate like the paper's bound, only what assigned variables cost, and hard arc consistency.
   void set_shifting(bool on) { shifting_ = on; }
+  /// From now on each step is told to `log` (nullptr: to nobody), and labels go only when the shifts that show it are made.
+  void set_log(ProofLog* log) { log_ = log; }
+  /// Calls visit(cell, function, variable, label) for the cell of each shift; a function is a BinaryFunction,
+  /// RequirementFunction or CardinalityFunction.
+  void for_each_shift(const auto& visit) const;
 
   // --- state ---
   int variables() const { return static_cast<int>(variable_.size()); }
@@ -115,6 +122,7 @@ class Network {
   Cost unary(int v, int label) const { return cost_[cell(v, label)]; }
   Cost original(int v, int label) const { return original_[cell(v, label)]; }
   Cost bound() const { return cost_[0]; }
+  Cost cost_at(int cell) const { return cost_[static_cast<std::size_t>(cell)]; }
   /// Cost of a complete assignment from the original costs; forbidden when a hard constraint is broken.
   Cost evaluate(std::span<const int> assignment) const;
   /// The same from the shifted costs: equal for assignments of live labels (for tests of the invariant).
@@ -171,7 +179,6 @@ class Network {
 
   const Domain& at(int v) const { return variable_[static_cast<std::size_t>(v)]; }
   std::size_t cell(int v, int label) const { return static_cast<std::size_t>(at(v).first + label); }
-  Cost cost_at(int cell) const { return cost_[static_cast<std::size_t>(cell)]; }
   Cost available(int cell) const { return cost_at(cell) - spent_[static_cast<std::size_t>(cell)]; }
   int new_cells(int count);
   void close_binary(int x, std::vector<int>& function_with);
@@ -179,6 +186,10 @@ class Network {
 
   void set(int cell, Cost cost);
   bool fail(int v);
+  /// Removes a label that is in no world below the limit, as the costs now show.
+  bool strike(int v, int label);
+  /// Whether a label that would get `amount`, and cost `total` then, goes at once.
+  bool goes(Cost amount, Cost total) const { return is_forbidden(amount) || (log_ == nullptr && total >= limit_); }
   bool settle(int v);
   bool settle_all();
   void turn_order();
@@ -258,10 +269,29 @@ class Network {
   std::vector<Cost> differences_;
   bool bound_rose_ = false;
   bool shifting_ = true;
+  ProofLog* log_ = nullptr;
   Cost limit_ = kTop;
   Cost least_gain_ = 1;
   int source_ = -1;  ///< constraint whose costs are being moved
   int failed_constraint_ = -1, failed_variable_ = -1;
 };
+
+void Network::for_each_shift(const auto& visit) const {
+  const auto of = [&](const auto& function, int first, int v) {
+    for (int label = 0; label < labels(v); ++label) visit(first + label, function, v, label);
+  };
+  for (const BinaryFunction& f : binary_) {
+    of(f, f.x_cell, f.x);
+    of(f, f.y_cell, f.y);
+  }
+  for (const RequirementFunction& f : requirements_) {
+    of(f, f.x_cell, f.x);
+    for (const auto& member : f.members) of(f, member.cell, member.variable);
+  }
+  for (const CardinalityFunction& f : cardinalities_) {
+    if (f.x >= 0) of(f, f.x_cell, f.x);
+    for (const auto& member : f.members) of(f, member.cell, member.variable);
+  }
+}
 
 }  // namespace scenelore::engine

@@ -32,7 +32,7 @@ void Network::pull(const CardinalityFunction& f, int to, int above) {
 void Network::offer(int to, int shift_cell, int label, Cost amount) {
   Cost& gain = gain_[static_cast<std::size_t>(label)];
   if (is_forbidden(gain)) return;
-  if (is_forbidden(amount) || bound() + unary(to, label) + gain + amount >= limit_) {
+  if (goes(amount, bound() + unary(to, label) + gain + amount)) {
     gain = kTop;
   } else if (amount > 0) {
     gain += amount;

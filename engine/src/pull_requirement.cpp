@@ -84,7 +84,7 @@ void Network::pull_to_owner(RequirementFunction& f, int above) {
     Cost& gain = gain_[static_cast<std::size_t>(label)];
     if (is_forbidden(gain)) continue;
     const Cost got = got_of(label);
-    if (is_forbidden(got) || got >= limit_ - bound() - unary(f.x, label) - gain) {
+    if (goes(got, got + bound() + unary(f.x, label) + gain)) {
       gain = kTop;
     } else if (got >= least_gain_) {
       any = true;
@@ -158,7 +158,7 @@ void Network::pull_to_member(RequirementFunction& f, std::size_t k, int above) {
     Cost& gain = gain_[static_cast<std::size_t>(label)];
     if (is_forbidden(gain)) continue;
     const Cost got = got_of(label);
-    if (is_forbidden(got) || got >= limit_ - bound() - unary(to, label) - gain) {
+    if (goes(got, got + bound() + unary(to, label) + gain)) {
       gain = kTop;
     } else if (got >= least_gain_) {
       const Cost asked = got + cost_at(mine.cell + label) - sum;

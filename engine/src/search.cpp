@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "proof_log.hpp"
+
 namespace scenelore::engine {
 
 bool Budget::exhausted() {
@@ -42,12 +44,12 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   accept_ = accept;
   open_ = {};
   weight_.assign(static_cast<std::size_t>(network_.variables()), 1.0);
-  burst_limit_ = in_order_ ? std::numeric_limits<std::uint64_t>::max() : 1;
+  burst_limit_ = in_order_ || log_ != nullptr ? std::numeric_limits<std::uint64_t>::max() : 1;
   last_failed_ = assumptions.empty() || assumptions.back().equal ? -1 : assumptions.back().variable;
   open_.push({0, number_++, assumptions});
   Cost reported = 0;
   while (!open_.empty() && open_.top().bound < limit_) {
-    if (budget_.exhausted()) return false;
+    if (stopped()) return false;
     const Open next = open_.top();
     open_.pop();
     if (report_.observer != nullptr && next.bound > reported) {
@@ -66,6 +68,8 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   }
   return true;
 }
+
+bool Search::stopped() { return budget_.exhausted() || (log_ != nullptr && log_->is_full()); }
 
 bool Search::apply(const Decision& d) {
   return d.equal ? network_.assign(d.variable, d.label) : network_.remove(d.variable, d.label);
@@ -116,7 +120,7 @@ void Search::burst(const Open& open) {
         alive = network_.bound() < limit_;
       }
     }
-    if (alive && budget_.exhausted()) {  // this node is open still
+    if (alive && stopped()) {  // this node is open still
       open_.push({std::max(network_.bound(), open.bound), number_++, path_});
       hand_back(0);
       break;
@@ -129,6 +133,7 @@ void Search::burst(const Open& open) {
       if (report_.observer != nullptr)
         report_.observer->expanded(static_cast<int>(frames_.size()), report_.literal(decision.variable, decision.label),
                                    report_.real(network_.bound()));
+      if (log_ != nullptr) log_->assumed(decision.variable, decision.label);
       network_.push();
       network_.set_limit(limit_);
       alive = apply(decision) && network_.strengthen(1, 1);
@@ -149,6 +154,7 @@ void Search::burst(const Open& open) {
     }
     const Frame frame = frames_.back();
     frames_.pop_back();
+    if (log_ != nullptr) log_->refuted();
     network_.pop();
     path_.resize(frame.path);
     const Decision other{frame.decision.variable, frame.decision.label, !frame.decision.equal};
@@ -157,6 +163,7 @@ void Search::burst(const Open& open) {
     alive = apply(other) && network_.strengthen(1, 1);
     if (!alive) learn_from_failure(other, static_cast<int>(frames_.size()));
   }
+  if (log_ != nullptr) log_->finish();
   while (network_.level() > base) network_.pop();
 }
 

@@ -63,6 +63,8 @@ class Search {
   void prefer(const std::vector<int>& assignment) { preferred_ = assignment; }
   /// Depth first by variables and labels in ascending order, so that assignments are met in lexicographic order.
   void search_in_order() { in_order_ = true; }
+  /// Depth first in one go, each branch told to `log`, which the network has too.
+  void log_to(ProofLog& log) { log_ = &log; }
   /// Least cost assignment below `limit` under `assumptions`.
   SearchResult run(const std::vector<Decision>& assumptions, Cost limit);
   /// Shows every assignment below the falling limit to `accept`. Returns whether the search is complete.
@@ -84,6 +86,7 @@ class Search {
     std::size_t path;  ///< length of the path at this node
   };
 
+  bool stopped();
   void burst(const Open& open);
   bool enter(const std::vector<Decision>& path);
   bool apply(const Decision& decision);
@@ -111,6 +114,7 @@ class Search {
   std::vector<int> assignment_;
   std::uint64_t burst_backtracks_ = 0, burst_limit_ = 1;
   int last_failed_ = -1;
+  ProofLog* log_ = nullptr;
   bool in_order_ = false;
   bool rounding_ = false;
 };

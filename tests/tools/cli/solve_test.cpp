@@ -72,6 +72,36 @@ TEST_F(Solve, TellsByItsExitCodeHowItEnded) {
   EXPECT_LT(json["seconds"], 5);
 }
 
+TEST_F(Solve, WritesAProofThatAnybodyCanVerify) {
+  write("two.cfn", two("<100"));
+  write("none.cfn", two("<1.5"));
+  EXPECT_EQ(scenelore({"solve", "@two.cfn", "--certificate", "@two.proof"}).code, 0);
+  const Finished verified = scenelore({"solve", "@two.cfn", "--check", "@two.proof", "--json"});
+  EXPECT_EQ(verified.code, 0) << verified.err;
+  const auto json = nlohmann::json::parse(verified.out);
+  EXPECT_EQ(json["outcome"], "proved");
+  EXPECT_EQ(json["certificate"], "verified");
+  EXPECT_EQ(json["cost"], 1.5);
+  EXPECT_NEAR(json["lower_bound"], 1.5, 1e-9);
+  EXPECT_EQ(json["assignment"], (nlohmann::json{{"a", "x"}, {"b", "y"}}));
+
+  // Nothing is cheaper than 1.5: the same proof shows it.
+  EXPECT_EQ(scenelore({"solve", "@none.cfn", "--certificate", "@none.proof"}).code, 1);
+  const Finished none = scenelore({"solve", "@none.cfn", "--check", "@none.proof", "--json"});
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_EQ(nlohmann::json::parse(none.out)["outcome"], "infeasible");
+
+  write("two.proof", "scenelore certificate 1\nproved 1\nworld 0 1\nend\n");
+  const Finished refused = scenelore({"solve", "@two.cfn", "--check", "@two.proof"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, testing::HasSubstr("two.proof: refused: line 3: this world costs"));
+  EXPECT_EQ(scenelore({"solve", "@two.cfn", "--check", "@missing.proof"}).code, 3);
+  write("hard.wcsp", hard());
+  const Finished cut = scenelore({"solve", "@hard.wcsp", "--time", "0.1", "--certificate", "@hard.proof"});
+  EXPECT_EQ(cut.code, 5);
+  EXPECT_THAT(cut.err, testing::HasSubstr("a limit came before"));
+}
+
 TEST_F(Solve, KeepsTheBestAnswerWhenInterrupted) {
   write("hard.wcsp", hard());
   const pid_t child = start(full({"solve", "@hard.wcsp", "--json"}), folder_);
