@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_index.hpp"
+
 namespace scenelore::perception {
 namespace {
 
@@ -54,10 +56,46 @@ std::vector<Sample> some_samples(const Cloud& cloud, const Support& support, con
   return samples;
 }
 
+/// Means of the samples in squares of 8 cm. A board hangs closer before its wall than single points scatter; means do not.
+std::vector<Sample> means_by_square(const std::vector<Sample>& samples) {
+  constexpr double kSquare = 0.08, kFewest = 8;
+  std::vector<CellKey> keys;
+  for (const Sample& s : samples) {
+    keys.push_back(cell_key(static_cast<std::int64_t>(std::floor(s.at.x() / kSquare)), static_cast<std::int64_t>(std::floor(s.at.y() / kSquare)), 0));
+  }
+  const CellIndex squares(keys);
+  std::vector<Sample> means;
+  for (std::size_t c = 0; c < squares.size(); ++c) {
+    const auto items = squares.items(c);
+    const auto n = static_cast<double>(items.size());
+    if (n < kFewest) continue;
+    Sample mean{samples[items.front()].point, Eigen::Vector2d::Zero(), 0};
+    for (const std::uint32_t k : items) mean.at += samples[k].at / n, mean.height += samples[k].height / n;
+    means.push_back(mean);
+  }
+  return means;
+}
+
 void find_level(Support& support, const std::vector<Sample>& samples) {
   std::vector<double> heights;
   for (const Sample& s : samples) heights.push_back(s.height);
-  support.centroid += main_level(std::move(heights), support.level) * support.normal;
+  if (!heights.empty()) support.centroid += main_level(std::move(heights), support.level) * support.normal;
+}
+
+/// Whether the room lies on the side that a wall's normal points to; nothing where both sides hold much.
+std::optional<bool> faces_the_room(const Cloud& cloud, const PlaneFit& plane) {
+  if (cloud.viewpoint) return plane.distance(*cloud.viewpoint - cloud.origin) > 0;
+  constexpr std::size_t kLooks = 5000;
+  constexpr double kClear = 0.1, kMost = 0.8;  // metres; share of the points off the plane
+  double front = 0, back = 0;
+  for (std::size_t i = 0; i < cloud.size(); i += 1 + cloud.size() / kLooks) {
+    if (!cloud.valid(i)) continue;
+    const double d = plane.distance(cloud.offset(i).cast<double>());
+    front += d > kClear;
+    back += d < -kClear;
+  }
+  if (std::max(front, back) < kMost * (front + back)) return std::nullopt;
+  return front > back;
 }
 
 /// Tilts the frame to the least-squares plane of the samples near its level. A table that stands half a degree out of level
@@ -65,7 +103,7 @@ void find_level(Support& support, const std::vector<Sample>& samples) {
 void follow_slope(Support& support, const std::vector<Sample>& samples) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const double near = std::max(2.5 * support.noise, 0.006);
+  const double near = support.level ? std::max(2.5 * support.noise, 0.006) : 0.006;
   for (const Sample& s : samples) {
     if (std::abs(s.height) > near) continue;
     const Eigen::Vector3d row(1, s.at.x(), s.at.y());
@@ -93,21 +131,21 @@ std::optional<Support> make_support(const Cloud& cloud, const PlaneFit& plane, c
   Support support;
   const double c = plane.normal.dot(up);
   support.level = std::abs(c) > kLevel;
-  if (!support.level && !cloud.viewpoint) return std::nullopt;
-  const bool outward = support.level ? c > 0 : plane.distance(*cloud.viewpoint - cloud.origin) > 0;
+  const std::optional<bool> faces = support.level ? c > 0 : faces_the_room(cloud, plane);
+  if (!faces) return std::nullopt;
   // Things on a table tip the plane fitted to both; the table itself is level.
-  support.normal = support.level ? up : outward ? plane.normal : Eigen::Vector3d(-plane.normal);
+  support.normal = support.level ? up : *faces ? plane.normal : Eigen::Vector3d(-plane.normal);
   support.centroid = plane.centroid;
   support.u = (plane.axes.col(1) - support.normal * support.normal.dot(plane.axes.col(1))).normalized();
   support.v = support.normal.cross(support.u);
   for (int round = 0; round < 3; ++round) {
     std::vector<Sample> samples = some_samples(cloud, support, points);
     if (round == 0) {
-      find_level(support, samples);
+      find_level(support, support.level ? samples : means_by_square(samples));
       samples = some_samples(cloud, support, points);
     }
     support.noise = noise_below(samples);
-    follow_slope(support, samples);
+    follow_slope(support, support.level ? samples : means_by_square(samples));
   }
   support.noise = noise_below(some_samples(cloud, support, points));
   return support;

@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kSmallestSupport = 0.1;   // m²
 constexpr double kSmallestPatch = 0.006;   // m², half a paperback
+// Less than this over its support a small patch is more often the spill of an edge: mixed pixels at the legs of chairs, door
+// frames, the rims of boards.
+constexpr double kLowThing = 0.018;        // metres
+constexpr double kSmallestLowPatch = 0.045;  // m²
 constexpr double kFlat = 0.008;            // metres, or 1.3 times the support's noise
 constexpr double kFreeCell = 0.1;          // metres
 constexpr double kLayer = 0.85;            // of its points
@@ -115,10 +119,13 @@ class Splitter {
       : cloud_(cloud), limits_(limits), support_(support), samples_(samples), regions_(regions), taken_(samples.size(), false) {}
 
   /// Where points are dense, fine cells part things that lie close together; what they are too fine for is left to coarse ones.
-  void split() {
+  /// False when nothing was found.
+  bool split() {
+    const std::size_t before = regions_.planes.size();
     const double fine = fitting_edge(samples_), coarse = 0.04;
     split_at(fine);
     if (fine < 0.7 * coarse) split_at(coarse);
+    return regions_.planes.size() > before;
   }
 
  private:
@@ -148,7 +155,7 @@ void Splitter::split_at(double edge) {
     covered += things[t].cells.size();
   }
   // What covers most of a wall is the wall; desks of two heights may stand side by side.
-  if (!support_.level && 2 * covered > map.cell.size()) return;
+  if (!support_.level && 4 * covered > 3 * map.cell.size()) return;
   for (std::size_t t = 0; t < things.size(); ++t) {
     std::vector<std::uint32_t> points;
     const FlatThing& thing = things[t];
@@ -185,7 +192,7 @@ void Splitter::split_at(double edge) {
     const bool covering = everything > 0.6 * offset * n;
     const bool significant = offset > kCertain * std::max(support_.noise, plane.rmse()) / std::sqrt(count) && offset > kLowest;
     const bool flat = plane.rmse() < std::max(kFlat, 1.3 * support_.noise) && plane.variances[1] > 4 * plane.variances[0];
-    if (!covering || !significant || !flat || plane.spread_area() < kSmallestPatch) continue;
+    if (!covering || !significant || !flat || plane.spread_area() < (offset < kLowThing ? kSmallestLowPatch : kSmallestPatch)) continue;
     const auto number = static_cast<std::int32_t>(regions_.planes.size());
     for (const std::uint32_t k : points) {
       taken_[k] = true;
@@ -230,18 +237,25 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
     };
     add_free(free.near(points[r]));
     const Footprint footprint(samples);
-    for (std::size_t q = 0; support->level && q < count; ++q) {
+    std::vector<std::size_t> layers;
+    for (std::size_t q = 0; q < count; ++q) {
       if (dissolved[q] || regions.planes[q].count == 0 || regions.planes[q].count >= plane.count) continue;
-      if (slanting[q] && regions.planes[q].spread_area() > kSmallestSupport) {
+      if (support->level && slanting[q] && regions.planes[q].spread_area() > kSmallestSupport) {
         add_free(points[q]);
         continue;
       }
       if (!is_layer_on(*support, footprint, cloud, points[q])) continue;
-      dissolved[q] = true;
+      layers.push_back(q);
       for (const std::uint32_t i : points[q]) regions.of_point[i] = -1;
       add_free(points[q]);
     }
-    Splitter(cloud, limits, *support, samples, regions).split();
+    if (Splitter(cloud, limits, *support, samples, regions).split() || support->level) {
+      for (const std::size_t q : layers) dissolved[q] = true;
+    } else {
+      for (const std::size_t q : layers) {
+        for (const std::uint32_t i : points[q]) regions.of_point[i] = static_cast<std::int32_t>(q);
+      }
+    }
     if (!support->level) continue;
     // Rays graze tops, whose noise is far below that of a single range: edges and feet need not come along.
     const double reach = std::max(kLowest, 4 * support->noise);
