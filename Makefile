@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench table1 relabel rules_bench knowledge asan clean
+.PHONY: demo test build bench engine_bench table1 relabel rules_bench knowledge nightly asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -41,6 +41,12 @@ engine_bench: bench
 	cd build/bench/rooms && for seed in 7 11 12; do ../bin/scenelore simulate room$$seed.ply --seed $$seed && \
 	  ../bin/scenelore run room$$seed.ply --kb rooms.gpkg > /dev/null || exit 1; done
 	build/bench/bin/engine_bench build/bench/bin/scenelore build/bench/rooms/rooms.gpkg
+
+# Two million random problems against enumeration, every answer about each one (about half an hour).
+nightly:
+	bash tools/setup.sh build test
+	cmake --preset ci
+	cmake --build --preset ci -j $(JOBS) --target nightly
 
 bench:
 	bash tools/setup.sh build test

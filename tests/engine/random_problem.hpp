@@ -37,6 +37,8 @@ struct Shape {
   int most_constraints = 8;
   double hard = 0.3;        ///< share of hard constraints
   double forbidden = 0.05;  ///< of labels
+  double twins = 0;         ///< share of labels that are like the one before in costs and tables
+  double zero = 0;          ///< share of costs and entries that are 0, beyond the usual
   double largest = 8;       ///< costs are multiples of largest / 64, or of largest / 4 (many equal ones)
 };
 
@@ -44,7 +46,11 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
   Random random(seed);
   Problem problem;
   const int steps = random.chance(0.5) ? 64 : 4;
-  const auto cost = [&] { return shape.largest * random.below(steps + 1) / steps; };
+  const auto cost = [&] {
+    if (shape.zero > 0 && random.chance(shape.zero)) return 0.0;
+    return shape.largest * random.below(steps + 1) / steps;
+  };
+  const auto is_twin = [&](std::size_t label) { return shape.twins > 0 && label > 0 && random.chance(shape.twins); };
   const auto weight = [&] {
     return random.chance(shape.hard) ? kHard : shape.largest * (1 + random.below(steps)) / steps;
   };
@@ -55,6 +61,10 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
     const int count = 1 + random.below(shape.most_labels);
     for (int l = 0; l < count; ++l) {
       labels.push_back("l" + std::to_string(l));
+      if (is_twin(costs.size())) {
+        costs.push_back(costs.back());
+        continue;
+      }
       costs.push_back(random.chance(shape.forbidden) ? kHard : random.chance(0.2) ? 0 : cost());
     }
     problem.add_variable("v" + std::to_string(v), labels, costs);
@@ -96,6 +106,10 @@ inline Problem random_problem(std::uint64_t seed, const Shape& shape) {
         std::vector<double> entries;
         for (std::size_t i = 0; i < rows * columns; ++i)
           entries.push_back(random.chance(0.5) ? 0 : random.chance(0.1) ? kHard : cost() / shape.largest);
+        for (std::size_t row = 1; row < rows; ++row)
+          if (is_twin(row))
+            for (std::size_t column = 0; column < columns; ++column)
+              entries[row * columns + column] = entries[(row - 1) * columns + column];
         problem.add(name, w, c,
                     PairTable{a, b, problem.add_table(static_cast<int>(rows), static_cast<int>(columns), entries)});
       }
