@@ -56,6 +56,7 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
       reported = next.bound;
       report_.observer->bounded(report_.real(reported));
     }
+    if (report_.observer != nullptr) report_.observer->entered(next.number);
     // Entering a node costs about its depth in nodes: bursts grow until that is less than a tenth of the work.
     const std::uint64_t before = budget_.nodes;
     burst(next);
@@ -174,6 +175,7 @@ void Search::hand_back(std::size_t base_path) {
     if (frame.bound < limit_) {
       std::vector<Decision> path(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(frame.path));
       path.push_back({frame.decision.variable, frame.decision.label, !frame.decision.equal});
+      if (report_.observer != nullptr) report_.observer->deferred(static_cast<int>(frames_.size()), number_);
       open_.push({frame.bound, number_++, std::move(path)});
     }
     frames_.pop_back();

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
       std::printf("%s", fault.c_str());
       return 1;
     }
-    if ((number - first + 1) % 100'000 == 0) {
+    if ((number - first + 1) % 10'000 == 0) {
       std::printf("%llu problems, no fault\n", static_cast<unsigned long long>(number - first + 1));
       std::fflush(stdout);
     }

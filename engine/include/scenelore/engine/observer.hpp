@@ -1,6 +1,8 @@
 // What happens in a search, told to whoever listens. Without a listener it costs nothing.
 #pragma once
 
+#include <cstdint>
+
 #include "scenelore/engine/problem.hpp"
 
 namespace scenelore::engine {
@@ -14,6 +16,10 @@ class Observer {
   virtual void pruned(int /*depth*/, Literal /*decision*/, int /*constraint*/) {}
   virtual void backtracked(int /*depth*/) {}
   virtual void improved(double /*cost*/) {}
+  /// A burst ends: the other branch of the node at this depth waits on the frontier under a number.
+  virtual void deferred(int /*depth*/, std::uint64_t /*number*/) {}
+  /// A burst begins at an open node of the frontier; the first one of a search is its root.
+  virtual void entered(std::uint64_t /*number*/) {}
   virtual void bounded(double /*lower_bound*/) {}
 };
 
