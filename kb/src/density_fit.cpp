@@ -69,7 +69,36 @@ std::vector<double> edges(const std::vector<double>& sorted, double step, double
   return result;
 }
 
+std::vector<double> borders_of(const Present& present, double low, double high) {
+  std::vector<double> result{low};
+  for (const Bin& bin : present.bins) {
+    for (const double edge : {bin.low, bin.high}) {
+      if (edge > result.back() && edge < high) result.push_back(edge);
+    }
+  }
+  result.push_back(high);
+  return result;
+}
+
+// Share of the present density between the bin's bounds.
+double present_mass(const Bin& bin, const Present& present, double low, double high) {
+  if (present.bins.empty()) {
+    return present.gaussian ? folded_mass(bin, std::clamp(present.gaussian->mean, low, high), present.gaussian->sigma, low, high) : 0;
+  }
+  double mass = 0;
+  for (const Bin& old : present.bins) mass += old.density * std::max(0.0, std::min(bin.high, old.high) - std::max(bin.low, old.low));
+  return mass;
+}
+
 }  // namespace
+
+Gaussian joined(const Gaussian& fitted, double n, const Present& present, double strength) {
+  if (!present.gaussian || strength <= 0) return fitted;
+  const Gaussian& old = *present.gaussian;
+  const double all = n + strength, apart = fitted.mean - old.mean;
+  const double variance = (n * fitted.sigma * fitted.sigma + strength * old.sigma * old.sigma + n * strength / all * apart * apart) / all;
+  return {(n * fitted.mean + strength * old.mean) / all, std::sqrt(variance)};
+}
 
 Gaussian fit_gaussian(const std::vector<double>& sorted, double range, const LearnOptions& options) {
   const double low = quantile(sorted, options.outliers / 2), high = quantile(sorted, 1 - options.outliers / 2);
@@ -81,23 +110,27 @@ Gaussian fit_gaussian(const std::vector<double>& sorted, double range, const Lea
   return fit;
 }
 
-std::vector<Bin> fit_histogram(const std::vector<double>& sorted, const Gaussian& gaussian, double low, double high,
-                               const LearnOptions& options) {
+std::vector<Bin> fit_histogram(const std::vector<double>& sorted, const Gaussian& gaussian, const Present& present, double low,
+                               double high, const LearnOptions& options) {
   const std::vector<double> widths = bandwidths(sorted, gaussian.sigma, (high - low) / 400);
   std::vector<double> by_size = widths;
   std::sort(by_size.begin(), by_size.end());
-  const std::vector<double> borders = edges(sorted, by_size[by_size.size() / 2], low, high, options);
   const double n = static_cast<double>(sorted.size()), strength = options.gaussian_strength;
+  const bool told = present.gaussian || !present.bins.empty();
+  const double present_strength = told ? options.present_strength : 0;
+  std::vector<double> borders = edges(sorted, by_size[by_size.size() / 2], low, high, options);
+  if (!present.bins.empty() && n < 3 * present_strength) borders = borders_of(present, low, high);  // they have seen more
   const double mean = std::clamp(gaussian.mean, low, high);
   std::vector<Bin> bins;
   double total = 0;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     Bin bin{borders[i], borders[i + 1], 0};
     double mass = strength * folded_mass(bin, mean, gaussian.sigma, low, high);
+    if (present_strength > 0) mass += present_strength * present_mass(bin, present, low, high);
     for (std::size_t e = 0; e < sorted.size(); ++e) {
       mass += folded_mass(bin, std::clamp(sorted[e], low, high), widths[e], low, high);
     }
-    bin.density = mass / (n + strength);
+    bin.density = mass / (n + strength + present_strength);
     total += bin.density;
     bins.push_back(bin);
   }

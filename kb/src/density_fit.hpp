@@ -1,6 +1,7 @@
 // Fitting one feature of one class.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scenelore/kb/knowledge.hpp"
@@ -21,8 +22,17 @@ struct Bin {
   double low = 0, high = 0, density = 0;
 };
 
+/// What the rows say now; neither = they say nothing.
+struct Present {
+  std::optional<Gaussian> gaussian;
+  std::vector<Bin> bins;  ///< instead of the Gaussian, when there are any
+};
+
+/// The Gaussian after n examples that `fitted` describes, when `present` stands for `strength` examples more.
+[[nodiscard]] Gaussian joined(const Gaussian& fitted, double n, const Present& present, double strength);
+
 /// Histogram over [low, high] (the feature's range on its scale).
-[[nodiscard]] std::vector<Bin> fit_histogram(const std::vector<double>& sorted, const Gaussian& gaussian, double low, double high,
-                                             const LearnOptions& options);
+[[nodiscard]] std::vector<Bin> fit_histogram(const std::vector<double>& sorted, const Gaussian& gaussian, const Present& present, double low,
+                                             double high, const LearnOptions& options);
 
 }  // namespace scenelore::kb

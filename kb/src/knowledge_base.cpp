@@ -3,10 +3,14 @@
 
 #include <unistd.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "guard.hpp"
 #include "implementation.hpp"
 #include "knowledge_rows.hpp"
 #include "schema.hpp"
+#include "snapshot.hpp"
 
 namespace scenelore::kb {
 
@@ -145,10 +149,10 @@ Knowledge KnowledgeBase::knowledge() const {
   return read->knowledge;
 }
 
-void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& source) {
+// Within the caller's transaction.
+void KnowledgeBase::apply_within(const std::string& sql, const std::string& source) {
   Database& database = implementation_->database;
   implementation_->read.reset();
-  Transaction transaction(database);
   try {
     const Guard guard(database, Permission::knowledge);
     try {
@@ -160,7 +164,55 @@ void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& s
     throw Error(source + ": " + error.what());
   }
   validate(read_knowledge(database), source + ": " + database.name());
+}
+
+void KnowledgeBase::apply_knowledge(const std::string& sql, const std::string& source) {
+  Transaction transaction(implementation_->database);
+  apply_within(sql, source);
   transaction.commit();
+}
+
+void KnowledgeBase::add_knowledge(const std::string& pack) {
+  std::string sql;
+  if (fs::is_regular_file(pack)) {
+    std::ifstream stream(pack);
+    sql.assign(std::istreambuf_iterator<char>(stream), {});
+  } else {
+    sql = added_pack(pack);
+  }
+  try {
+    apply_knowledge(sql, "knowledge pack " + pack);
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    if (text.find("UNIQUE constraint failed") == std::string::npos) throw;
+    throw Error(text + ": the pack is there already, or one of its names or ids is taken");
+  }
+}
+
+void KnowledgeBase::learn_knowledge(const std::string& sql, const std::string& what) {
+  Database& database = implementation_->database;
+  Transaction transaction(database);
+  const std::string before = snapshot_sql(read_knowledge(database));
+  apply_within(sql, what);
+  database.prepare("INSERT INTO knowledge_undo (made_at, what, sql) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'), ?, ?)").use()(what)(before).run();
+  transaction.commit();
+}
+
+std::optional<std::string> KnowledgeBase::undo_knowledge() {
+  Database& database = implementation_->database;
+  Transaction transaction(database);
+  std::string what, sql;
+  std::int64_t id = 0;
+  {
+    Statement select = database.prepare("SELECT id, what, sql FROM knowledge_undo ORDER BY id DESC LIMIT 1");
+    auto row = select.use();
+    if (!row.next()) return std::nullopt;
+    id = row.integer(0), what = row.text(1), sql = row.text(2);
+  }
+  apply_within(sql, "undoing '" + what + "'");
+  database.prepare("DELETE FROM knowledge_undo WHERE id = ?").use()(id).run();
+  transaction.commit();
+  return what;
 }
 
 std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(knowledge()); }

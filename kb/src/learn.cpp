@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "density_fit.hpp"
 #include "likelihood.hpp"
 #include "scenelore/kb/error.hpp"
-#include "suggest.hpp"
+#include "scenelore/kb/suggest.hpp"
 
 namespace scenelore::kb {
 
@@ -50,21 +51,40 @@ double circular_middle(const std::vector<double>& values, double turn) {
   return std::atan2(sine, cosine) / to_radians;
 }
 
-void fit_circular(LearnedClass& learned, const Feature& feature, std::vector<double> values, const LearnOptions& options) {
+// What the knowledge says about a feature of a class, on the feature's scale.
+Present present_rows(const Knowledge& knowledge, const std::string& object_class, const Feature& feature) {
+  Present present;
+  for (const ClassFeature& row : knowledge.class_features) {
+    if (row.object_class == object_class && row.feature == feature.name) present.gaussian = Gaussian{row.mean, row.sigma};
+  }
+  for (const ClassDensity& row : knowledge.class_densities) {
+    if (row.object_class != object_class || row.feature != feature.name) continue;
+    present.bins.push_back({on_scale(feature, row.low), on_scale(feature, row.high), row.density});
+  }
+  std::sort(present.bins.begin(), present.bins.end(), [](const Bin& a, const Bin& b) { return a.low < b.low; });
+  return present;
+}
+
+void fit_circular(LearnedClass& learned, const Feature& feature, std::vector<double> values, Present present,
+                  const LearnOptions& options) {
   const double turn = range_on_scale(feature), middle = circular_middle(values, turn);
   for (double& value : values) value = middle + std::remainder(value - middle, turn);
   std::sort(values.begin(), values.end());
-  const Gaussian gaussian = fit_gaussian(values, turn, options);
+  if (present.gaussian) present.gaussian->mean = middle + std::remainder(present.gaussian->mean - middle, turn);
+  const Gaussian gaussian =
+      joined(fit_gaussian(values, turn, options), static_cast<double>(values.size()), present, options.present_strength);
   learned.gaussians.push_back({learned.object_class, feature.name, gaussian.mean, gaussian.sigma});
 }
 
-void fit_feature(LearnedClass& learned, const Feature& feature, const std::vector<double>& values, const LearnOptions& options) {
-  if (feature.scale == Scale::circular) return fit_circular(learned, feature, values, options);
+void fit_feature(LearnedClass& learned, const Feature& feature, const std::vector<double>& values, const Present& present,
+                 const LearnOptions& options) {
+  if (feature.scale == Scale::circular) return fit_circular(learned, feature, values, present, options);
   const double low = on_scale(feature, feature.low), high = on_scale(feature, feature.high);
   const Gaussian gaussian = fit_gaussian(values, high - low, options);
-  learned.gaussians.push_back({learned.object_class, feature.name, gaussian.mean, gaussian.sigma});
+  const Gaussian told = joined(gaussian, static_cast<double>(values.size()), present, options.present_strength);
+  learned.gaussians.push_back({learned.object_class, feature.name, told.mean, told.sigma});
   const auto unit = [&](double at) { return feature.scale == Scale::log ? std::exp(at) : at; };
-  for (const Bin& bin : fit_histogram(values, gaussian, low, high, options)) {
+  for (const Bin& bin : fit_histogram(values, gaussian, present, low, high, options)) {
     learned.densities.push_back({learned.object_class, feature.name, unit(bin.low), unit(bin.high), bin.density});
   }
 }
@@ -78,7 +98,7 @@ void fit_priors(const Knowledge& knowledge, const LearnOptions& options, std::ve
   }
   for (std::size_t c = 0; c < classes.size(); ++c) {
     const double present = knowledge.classes[c].prior / priors;
-    classes[c].prior = (classes[c].examples + options.prior_strength * present) / (examples + options.prior_strength);
+    classes[c].prior = !options.priors ? present : (classes[c].examples + options.prior_strength * present) / (examples + options.prior_strength);
   }
 }
 
@@ -101,11 +121,30 @@ LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, cons
       if (found == planes.features.names.end() || feature.weight <= 0) continue;
       const auto column = static_cast<std::size_t>(found - planes.features.names.begin());
       const std::vector<double> values = examples_of(planes, c.name, column, feature);
-      if (static_cast<int>(values.size()) >= options.min_examples) fit_feature(learned, feature, values, options);
+      if (static_cast<int>(values.size()) >= options.min_examples) fit_feature(learned, feature, values, present_rows(knowledge, c.name, feature), options);
     }
   }
   fit_priors(knowledge, options, rows.classes);
   return rows;
+}
+
+Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows) {
+  for (const LearnedClass& learned : rows.classes) {
+    const int c = knowledge.class_index(learned.object_class);
+    if (c >= 0) knowledge.classes[static_cast<std::size_t>(c)].prior = learned.prior;
+    std::set<std::string> replaced;
+    for (const ClassDensity& row : learned.densities) replaced.insert(row.feature);
+    std::erase_if(knowledge.class_densities,
+                  [&](const ClassDensity& row) { return row.object_class == learned.object_class && replaced.contains(row.feature); });
+    knowledge.class_densities.insert(knowledge.class_densities.end(), learned.densities.begin(), learned.densities.end());
+    for (const ClassFeature& row : learned.gaussians) {
+      const auto same = [&](const ClassFeature& old) { return old.object_class == row.object_class && old.feature == row.feature; };
+      const auto found = std::find_if(knowledge.class_features.begin(), knowledge.class_features.end(), same);
+      if (found == knowledge.class_features.end()) knowledge.class_features.push_back(row);
+      else *found = row;
+    }
+  }
+  return knowledge;
 }
 
 }  // namespace scenelore::kb

@@ -1,16 +1,11 @@
 #include <fmt/format.h>
 
+#include "quoted.hpp"
 #include "scenelore/kb/learn.hpp"
 
 namespace scenelore::kb {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-  return result + "'";
-}
 
 std::string gaussian_sql(const ClassFeature& row) {
   return fmt::format(

@@ -6,7 +6,7 @@
 #include "implementation.hpp"
 #include "plane_rows.hpp"
 #include "point_runs.hpp"
-#include "suggest.hpp"
+#include "scenelore/kb/suggest.hpp"
 #include "truth_transfer.hpp"
 
 namespace scenelore::kb {

@@ -13,7 +13,7 @@ std::span<const scenelore::EmbeddedFile> schema_files();
 
 namespace {
 
-constexpr std::string_view kMigrations = "schemas/", kPacks = "schemas/knowledge/";
+constexpr std::string_view kMigrations = "schemas/", kPacks = "schemas/knowledge/", kAdded = "schemas/knowledge/add/";
 
 bool starts_with_number(std::string_view name, int version) {
   std::string digits = std::to_string(version);
@@ -62,6 +62,24 @@ void create_schema(Database& database, const std::string& pack) {
   Statement note = database.prepare("UPDATE scenelore_meta SET knowledge_pack = ?");
   note.use()(pack).run();
   transaction.commit();
+}
+
+std::vector<std::string> added_packs() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : schema_files()) {
+    const std::string_view name = file.name;
+    if (name.starts_with(kAdded)) names.emplace_back(name.substr(kAdded.size(), name.size() - kAdded.size() - 4));
+  }
+  return names;
+}
+
+std::string_view added_pack(const std::string& name) {
+  for (const EmbeddedFile& file : schema_files()) {
+    if (file.name == std::string(kAdded) + name + ".sql") return file.text;
+  }
+  std::string known;
+  for (const std::string& pack : added_packs()) known += (known.empty() ? "" : ", ") + pack;
+  throw Error("there is no knowledge pack '" + name + "' to add: give a file of SQL, or one of: " + known);
 }
 
 int check_schema(const Database& database) {

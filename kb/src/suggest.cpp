@@ -1,4 +1,4 @@
-#include "suggest.hpp"
+#include "scenelore/kb/suggest.hpp"
 
 #include <algorithm>
 #include <numeric>

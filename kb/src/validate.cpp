@@ -2,7 +2,7 @@
 #include <set>
 
 #include "knowledge_rows.hpp"
-#include "suggest.hpp"
+#include "scenelore/kb/suggest.hpp"
 
 namespace scenelore::kb {
 

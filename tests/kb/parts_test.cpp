@@ -11,7 +11,7 @@
 #include "scenelore/kb/error.hpp"
 #include "scenelore/kb/sha256.hpp"
 #include "sqlite.hpp"
-#include "suggest.hpp"
+#include "scenelore/kb/suggest.hpp"
 #include "truth_transfer.hpp"
 
 namespace scenelore::kb {

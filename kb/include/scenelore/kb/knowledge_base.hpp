@@ -74,6 +74,15 @@ class KnowledgeBase {
   /// Runs SQL that changes the knowledge tables (a knowledge pack, learned rows) in one transaction, then checks the whole
   /// knowledge: an error names `source` and leaves everything as it was. Other tables, ATTACH and the like are refused.
   void apply_knowledge(const std::string& sql, const std::string& source);
+  /// Adds a pack that comes with the program ("home", "kitchen"), or a file of SQL, by apply_knowledge. Throws Error when there is no
+  /// such pack, and when a class of it is there already.
+  void add_knowledge(const std::string& pack);
+  /// The same for what learning changes (priors, weights, Gaussians, densities): undo_knowledge brings back what was there
+  /// before, `what` tells in words what it was.
+  void learn_knowledge(const std::string& sql, const std::string& what);
+  /// Undoes the last learn_knowledge that was not undone yet: priors, weights, Gaussians and densities of the classes and rows of
+  /// then are as before it; those added since stay. Returns what was undone, nothing when there is nothing to undo.
+  std::optional<std::string> undo_knowledge();
   /// SHA-256 of the knowledge tables' content in a canonical order.
   [[nodiscard]] std::string knowledge_hash() const;
 
@@ -112,6 +121,7 @@ class KnowledgeBase {
              const std::function<void(const QueryRow&)>& row, const QueryLimits& limits = {}) const;
 
  private:
+  void apply_within(const std::string& sql, const std::string& source);
   struct Implementation;
   explicit KnowledgeBase(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;

@@ -22,7 +22,9 @@ struct LabelledPlanes {
 struct LearnOptions {
   int min_examples = 12;           ///< classes with fewer keep their rows
   double gaussian_strength = 12;   ///< pretended examples drawn from the Gaussian: what small n is shrunk towards
+  double present_strength = 0;     ///< pretended examples distributed as the present rows of the class and feature say
   double prior_strength = 30;      ///< pretended planes distributed like the present priors
+  bool priors = true;              ///< false: examples were picked, their shares mean nothing; priors stay
   int bins = 20;                   ///< at most, of each histogram
   double outliers = 0.02;          ///< share of examples that may lie outside, half at either end, without moving the fit
 };
@@ -41,11 +43,15 @@ struct LearnedRows {
   std::vector<std::string> notes;  ///< a sentence per class that keeps its rows
 };
 
-/// Fits, for each class and each feature of the knowledge that counts (weight above 0) and that the table has, a Gaussian (on the feature's scale, robust
-/// to outliers) and a histogram (kernel estimate, shrunk towards that Gaussian for small n). The fallback class is
+/// Fits, for each class and each feature of the knowledge that counts (weight above 0) and that the table has, a Gaussian (on the feature's
+/// scale, robust to outliers) and a histogram (kernel estimate, shrunk for small n: towards that Gaussian, and by present_strength
+/// towards the present rows; both Gaussians then join as conjugate ones do, Murphy 2007, section 3). The fallback class is
 /// learned like any other. Deterministic; the order of planes does not matter but for rounding.
 /// Throws Error for a class that the knowledge lacks, and for sizes that do not fit.
 [[nodiscard]] LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options = {});
+
+/// The knowledge with the rows in place, as after to_sql but for rounding.
+[[nodiscard]] Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows);
 
 /// Statements that put the rows in place of those of the same classes: numbers with 4 significant digits, one histogram a
 /// statement, the same bytes for the same rows.
