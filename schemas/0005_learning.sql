@@ -1,4 +1,4 @@
--- schema version 5: what learning replaced, so that it can be undone.
+-- Schema version 5: what learning replaced, so that it can be undone.
 CREATE TABLE knowledge_undo (
   id INTEGER PRIMARY KEY AUTOINCREMENT,
   made_at TEXT NOT NULL,  -- ISO 8601, UTC

@@ -68,7 +68,7 @@ rules::LabelledScene labelled(const experiment::Room& room, rules::RuleSet& rule
   rules::LabelledScene out;
   out.scene = rules::make_scene(room.record, room.planes, kb::built_in_features(room.record, room.planes));
   rules.compute_features(out.scene, out.scene.features);
-  for (const experiment::PlaneTruth& truth : room.truth) {
+  for (const evaluation::PlaneTruth& truth : room.truth) {
     const bool scrap = truth.object_class != "unknown" && truth.coverage < kWholeEnough;
     out.classes.push_back(scrap ? "" : truth.object_class);
   }

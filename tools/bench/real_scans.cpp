@@ -68,14 +68,14 @@ void report(const fs::path& path, const kb::Knowledge& knowledge, rules::RuleSet
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   std::map<std::string, int> count;
-  for (const std::string& name : labelling.after) ++count[name];
+  for (const std::string& name : labelling.after.classes) ++count[name];
   fmt::print("\n{}: {} points, {} planes, {} in {:.2f} s\n  {}\n ", path.stem().string(), points.rows, seen.planes.size(),
              labelling.run.outcome, seconds, seen.upright.explanation);
   for (const auto& [name, planes] : count) fmt::print(" {} {}", planes, name);
   fmt::print("\n");
 
   const auto names = label_names(path.parent_path());
-  for (const auto& [id, instance] : instances(points, seen.plane_of_point, labelling.after)) {
+  for (const auto& [id, instance] : instances(points, seen.plane_of_point, labelling.after.classes)) {
     const auto name = names.find(instance.label);
     if (name == names.end() || !kRightClasses.contains(name->second) || instance.points < 100) continue;
     const auto& accepted = kRightClasses.at(name->second);

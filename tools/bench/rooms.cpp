@@ -10,6 +10,7 @@
 #include <numbers>
 #include <thread>
 
+#include "evaluation/stored_scan.hpp"
 #include "scenelore/perception/perceive.hpp"
 
 namespace scenelore::experiment {
@@ -23,6 +24,22 @@ Eigen::Vector3d tilted_up(std::uint64_t seed, double most) {
   return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
 }
 
+evaluation::SceneTruth truth_of(const simulator::SimulatedScan& scan) {
+  evaluation::SceneTruth truth;
+  std::map<int, std::int32_t> index;
+  for (const simulator::TruthObject& object : scan.objects) {
+    index[object.instance] = static_cast<std::int32_t>(truth.objects.size());
+    truth.objects.push_back({.instance = object.instance, .classes = {object.object_class}, .planar = object.planar, .points = object.points});
+  }
+  const perception::Column* instance = scan.points.find("instance");
+  truth.object_of_point.reserve(scan.points.rows);
+  for (std::size_t i = 0; i < scan.points.rows; ++i) {
+    const auto found = index.find(static_cast<int>(scan.points.value(*instance, i)));
+    truth.object_of_point.push_back(found == index.end() ? evaluation::kNothing : found->second);
+  }
+  return truth;
+}
+
 Room perceive_room(const simulator::SimulationOptions& options, double up_error_deg) {
   Room room;
   room.scan = simulator::simulate(options);
@@ -32,7 +49,9 @@ Room perceive_room(const simulator::SimulationOptions& options, double up_error_
   const perception::Perception seen = perception::perceive(cloud, how);
   room.record = {.name = "room", .rotation = seen.upright.rotation, .floor_z = seen.upright.floor_z};
   room.planes = stored(seen.planes);
-  room.truth = plane_truth(room.scan, seen.plane_of_point, seen.planes.size());
+  room.objects = truth_of(room.scan);
+  room.plane_of_point = seen.plane_of_point;
+  room.truth = evaluation::plane_truth(room.objects, room.plane_of_point, seen.planes.size(), "unknown");
   room.scan.points.bytes = {};  // the points are not needed any more, and a hundred rooms of them fill the memory
   return room;
 }
@@ -60,14 +79,9 @@ Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, co
   const rules::Facts facts = rules.relate(scene, rules::used_relations(knowledge, rules));
   const kb::Inference inference = rules::label(knowledge, scene, evidence, facts, {}, {.alternatives = 0});
 
-  std::map<kb::PlaneId, std::string> label;
-  for (const kb::Label& entry : inference.labels) label[entry.plane] = entry.object_class;
-  Labelling out{.before = {}, .after = {}, .run = inference.run};
-  for (const kb::StoredPlane& plane : planes) out.after.push_back(label[plane.id]);
-  for (const auto& row : evidence) {
-    out.before.push_back(knowledge.classes[static_cast<std::size_t>(std::max_element(row.begin(), row.end()) - row.begin())].name);
-  }
-  return out;
+  evaluation::Answer before = evaluation::answer_before(knowledge, evidence);
+  evaluation::Answer after = evaluation::answer_after(scene.ids, inference.labels);
+  return {.before = std::move(before), .after = std::move(after), .run = inference.run};
 }
 
 kb::Knowledge knowledge_pack(const std::string& name) {

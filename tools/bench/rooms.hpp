@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/truth.hpp"
+#include "evaluation/evaluation.hpp"
 #include "pipeline/pipeline.hpp"
 #include "simulator/simulate.hpp"
 
@@ -15,7 +15,9 @@ struct Room {
   simulator::SimulatedScan scan;
   kb::Scan record;
   std::vector<kb::StoredPlane> planes;  ///< with ids 1, 2, …
-  std::vector<PlaneTruth> truth;        ///< one a plane
+  evaluation::SceneTruth objects;       ///< one each of scan.objects, in their order
+  std::vector<std::int32_t> plane_of_point;
+  std::vector<evaluation::PlaneTruth> truth;  ///< one a plane
 };
 
 /// Simulates and segments one room after another on `threads` threads; the result does not depend on them.
@@ -24,10 +26,10 @@ struct Room {
 [[nodiscard]] std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>& rooms, int threads = 2,
                                                double up_error_deg = 0);
 
-/// Class names, one a plane.
+/// One class a plane.
 struct Labelling {
-  std::vector<std::string> before;  ///< of the highest evidence alone
-  std::vector<std::string> after;   ///< of the best world model
+  evaluation::Answer before;  ///< of the highest evidence alone
+  evaluation::Answer after;   ///< of the best world model
   kb::Run run;
 };
 

@@ -13,7 +13,7 @@
 namespace {
 
 using namespace scenelore;
-using experiment::ClassScore;
+using evaluation::ClassScore;
 
 const std::vector<std::string> kPaperClasses{"table", "flat_screen", "keyboard"};
 const std::vector<std::string> kStructure{"floor", "ceiling", "wall"};
@@ -39,8 +39,8 @@ void score_room(const experiment::Room& room, Mode& mode, rules::RuleSet& rules,
   mode.scores.not_proved += labelling.run.outcome != "proved";
   for (const auto* list : {&kPaperClasses, &kStructure}) {
     for (const std::string& name : *list) {
-      before[name] += experiment::score_class(room.scan, room.truth, labelling.before, name);
-      after[name] += experiment::score_class(room.scan, room.truth, labelling.after, name);
+      before[name] += evaluation::score_class(room.objects, room.truth, labelling.before.classes, name);
+      after[name] += evaluation::score_class(room.objects, room.truth, labelling.after.classes, name);
     }
   }
 }
@@ -53,13 +53,13 @@ void print_errors(const experiment::Room& room, const std::string& name, const M
   };
   std::vector<double> coverage(room.scan.objects.size(), 0);
   for (std::size_t i = 0; i < room.planes.size(); ++i) {
-    const experiment::PlaneTruth& truth = room.truth[i];
+    const evaluation::PlaneTruth& truth = room.truth[i];
     const perception::Plane& plane = room.planes[i].plane;
     if (truth.object >= 0) coverage[static_cast<std::size_t>(truth.object)] += truth.coverage;
-    if (labelling.after[i] == truth.object_class || (!of_interest(labelling.after[i]) && !of_interest(truth.object_class))) continue;
+    if (labelling.after.classes[i] == truth.object_class || (!of_interest(labelling.after.classes[i]) && !of_interest(truth.object_class))) continue;
     fmt::print(stderr, "{} plane {}: {} (features {}), is {} ({}, purity {:.2f}, coverage {:.2f}); {} points, {:.2f} x {:.2f} m, tilt {:.0f}, "
                        "height {:.2f}, rect. {:.2f}\n",
-               name, i + 1, labelling.after[i], labelling.before[i], truth.object_class,
+               name, i + 1, labelling.after.classes[i], labelling.before.classes[i], truth.object_class,
                truth.object < 0 ? "nothing" : room.scan.objects[static_cast<std::size_t>(truth.object)].thing, truth.purity, truth.coverage,
                plane.point_count, plane.length, plane.width, plane.tilt_deg, plane.height, plane.rectangularity);
   }
@@ -69,12 +69,6 @@ void print_errors(const experiment::Room& room, const std::string& name, const M
     fmt::print(stderr, "{} has no plane of its own for {} ({}, {} points, height {:.2f})\n", name, object.thing, object.object_class,
                object.points, object.centroid.z());
   }
-}
-
-ClassScore total(const std::map<std::string, ClassScore>& scores) {
-  ClassScore sum;
-  for (const std::string& name : kPaperClasses) sum += scores.at(name);
-  return sum;
 }
 
 void print_row(const std::string& name, const ClassScore& before, const ClassScore& after) {
@@ -94,7 +88,7 @@ void print_mode(const Mode& mode) {
   fmt::print("{:<12} {:>5} | {:>4} {:>4} {:>4}  {:<5} {:<5} {:<5} | {:>4} {:>4} {:>4}  {:<5} {:<5} {:<5}\n", "class", "real", "TP",
              "FP", "FN", "prec.", "rec.", "F1", "TP", "FP", "FN", "prec.", "rec.", "F1");
   for (const std::string& name : kPaperClasses) print_row(name, scores.before.at(name), scores.after.at(name));
-  print_row("all three", total(scores.before), total(scores.after));
+  print_row("all three", total(scores.before, kPaperClasses), total(scores.after, kPaperClasses));
   for (const std::string& name : kStructure) print_row(name, scores.before.at(name), scores.after.at(name));
   const auto [low, high] = std::minmax_element(scores.f1_after.begin(), scores.f1_after.end());
   fmt::print("F1 per set of six rooms: median {:.3f} before, {:.3f} after (from {:.3f} to {:.3f}); slowest search {:.1f} ms, {} not "
@@ -123,8 +117,8 @@ int main(int argc, char** argv) {
       for (const experiment::Room& room : rooms) score_room(room, mode, rules, before, after);
       for (const auto& [name, score] : before) mode.scores.before[name] += score;
       for (const auto& [name, score] : after) mode.scores.after[name] += score;
-      mode.scores.f1_before.push_back(f1(total(before)));
-      mode.scores.f1_after.push_back(f1(total(after)));
+      mode.scores.f1_before.push_back(f1(total(before, kPaperClasses)));
+      mode.scores.f1_after.push_back(f1(total(after, kPaperClasses)));
     }
   }
   fmt::print("{} sets of six simulated rooms (12 tables, 9 screens, 7 keyboards each), seeds {} to {}, range noise {} m\n", sets,

@@ -11,6 +11,7 @@
 #include "documentation.hpp"
 #include "exit_code.hpp"
 #include "command.hpp"
+#include "evaluation/error.hpp"
 #include "scenelore/engine/error.hpp"
 #include "scenelore/kb/error.hpp"
 #include "scenelore/perception/error.hpp"
@@ -85,6 +86,8 @@ int guarded(Command& command) {
   } catch (const UsageError& error) {
     return report(kUsage, "", error);
   } catch (const perception::Error& error) {
+    return report(kInput, "", error);
+  } catch (const evaluation::Error& error) {
     return report(kInput, "", error);
   } catch (const kb::Error& error) {
     return report(kKnowledge, "", error);

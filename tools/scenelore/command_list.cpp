@@ -14,7 +14,10 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(relations_command());
   commands.push_back(export_command());
   commands.push_back(info_command());
+  commands.push_back(eval_command());
+  commands.push_back(learn_command());
   commands.push_back(kb_init_command());
+  commands.push_back(kb_add_command());
   commands.push_back(rules_check_command());
   commands.push_back(rules_test_command());
   commands.push_back(rules_profile_command());

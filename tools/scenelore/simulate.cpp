@@ -41,6 +41,7 @@ class SimulateCommand : public Command {
   std::vector<Argument> arguments() override {
     return {positional("OUT", &out_, "FILE", "point cloud to write (.ply, .pcd, .csv); the truth goes to OUT's name with .truth.json"),
             {"--seed", &options_.seed, "N", "which room; the same seed gives the same bytes", Effect::result},
+            {"--room", &room_, "NAME", "office, home or kitchen (the classes of the packs of `kb add`)", Effect::result},
             {"--sensor", &sensor_, "NAME", "lidar (tilting line scanner) or depth_camera", Effect::result},
             {"--noise", &options_.noise, "m", "standard deviation of a range", Effect::result, 0, 1},
             {"--material-bias", &options_.material_bias, "m", "standard deviation of a range error that is constant per object",
@@ -56,7 +57,12 @@ class SimulateCommand : public Command {
     if (sensor_ != "lidar" && sensor_ != "depth_camera") {
       throw UsageError("--sensor '" + sensor_ + "' is unknown; there are lidar and depth_camera");
     }
+    if (room_ != "office" && room_ != "home" && room_ != "kitchen") {
+      throw UsageError("--room '" + room_ + "' is unknown; there are office, home and kitchen");
+    }
+    if (paper_room_ && room_ != "office") throw UsageError("--paper-room is an office");
     simulator::SimulationOptions options = options_;
+    options.room = room_ == "home" ? simulator::RoomKind::home : room_ == "kitchen" ? simulator::RoomKind::kitchen : simulator::RoomKind::office;
     if (paper_room_) {
       options = simulator::paper_rooms(options_.seed, options_.noise).at(static_cast<std::size_t>(*paper_room_ - 1));
       options.material_bias = options_.material_bias;
@@ -76,7 +82,7 @@ class SimulateCommand : public Command {
  private:
   std::string out_;
   simulator::SimulationOptions options_;
-  std::string sensor_ = "lidar";
+  std::string sensor_ = "lidar", room_ = "office";
   std::optional<int> points_;
   std::optional<int> paper_room_;
 };

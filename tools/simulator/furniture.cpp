@@ -12,24 +12,6 @@ const Wall& pick_wall(Office& office) {
   return office.walls[static_cast<std::size_t>(office.random.integer(0, static_cast<int>(office.walls.size()) - 1))];
 }
 
-// A free place along some wall for a thing of this size, its rear at the wall; x is the thing's middle.
-std::optional<Eigen::Isometry3d> along_wall(Office& office, const Vector3d& size, double bottom, double front) {
-  for (int tries = 0; tries < 40; ++tries) {
-    const Wall& wall = pick_wall(office);
-    const double x = office.random.uniform(), gap = bottom > 0 ? 0.0 : office.random.between(0.005, 0.06);
-    if (wall.length < size.x() + 0.05) continue;
-    Eigen::Isometry3d frame = wall.frame;
-    frame.translate(Vector3d(size.x() / 2 + x * (wall.length - size.x()), gap, 0));
-    const double half = size.x() / 2;
-    if (!office.free_for_furniture(volume(frame, {-half, 0, bottom}, {half, size.y(), bottom + size.z()}))) continue;
-    if (front > 0 && !office.taken.free(volume(frame, {-half, size.y(), 0}, {half, size.y() + front, 1.5}))) continue;
-    office.taken.add(volume(frame, {-half, 0, bottom}, {half, size.y(), bottom + size.z()}));
-    if (front > 0) office.zones.add(volume(frame, {-half, size.y(), 0}, {half, size.y() + front, 1.5}));
-    return frame;
-  }
-  return std::nullopt;
-}
-
 // Boxes and plants on top of low furniture.
 void load_top(Office& office, const Brush& brush, const Vector3d& size) {
   Random& random = office.random;
@@ -159,6 +141,23 @@ void fill_compartment(Office& office, const Brush& brush, double width, double d
 }
 
 }  // namespace
+
+std::optional<Eigen::Isometry3d> along_wall(Office& office, const Vector3d& size, double bottom, double front) {
+  for (int tries = 0; tries < 40; ++tries) {
+    const Wall& wall = pick_wall(office);
+    const double x = office.random.uniform(), gap = bottom > 0 ? 0.0 : office.random.between(0.005, 0.06);
+    if (wall.length < size.x() + 0.05) continue;
+    Eigen::Isometry3d frame = wall.frame;
+    frame.translate(Vector3d(size.x() / 2 + x * (wall.length - size.x()), gap, 0));
+    const double half = size.x() / 2;
+    if (!office.free_for_furniture(volume(frame, {-half, 0, bottom}, {half, size.y(), bottom + size.z()}))) continue;
+    if (front > 0 && !office.taken.free(volume(frame, {-half, size.y(), 0}, {half, size.y() + front, 1.5}))) continue;
+    office.taken.add(volume(frame, {-half, 0, bottom}, {half, size.y(), bottom + size.z()}));
+    if (front > 0) office.zones.add(volume(frame, {-half, size.y(), 0}, {half, size.y() + front, 1.5}));
+    return frame;
+  }
+  return std::nullopt;
+}
 
 void draw_shelf(Office& office, const Brush& brush, double width, double depth, double height) {
   Random& random = office.random;

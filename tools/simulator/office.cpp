@@ -6,7 +6,9 @@ namespace scenelore::simulator {
 namespace {
 
 // False when something of the inventory found no place.
-bool furnish(Office& office, const Inventory& inventory) {
+bool furnish(Office& office, const Inventory& inventory, RoomKind kind) {
+  if (kind == RoomKind::kitchen && !add_kitchen_furniture(office)) return false;
+  if (kind == RoomKind::home && !add_home_furniture(office)) return false;
   if (!add_workplaces(office, inventory)) return false;
   add_wall_furniture(office);
   if (!add_stands(office)) return false;
@@ -46,19 +48,22 @@ bool add_stands(Office& office) {
   return office.stands.size() >= 2;
 }
 
-Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied) {
+Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied, RoomKind kind) {
   check(inventory);
   for (int attempt = 0; attempt < 60; ++attempt) {
     Office office =
         build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt, varied);
-    if (furnish(office, inventory)) return office;
+    if (!furnish(office, inventory, kind)) continue;
+    if (kind == RoomKind::home) office.scene.classify("radiator", ObjectClass::radiator);
+    return office;
   }
   throw std::invalid_argument("inventory: no room found that holds " + std::to_string(inventory.tables) + " tables, " +
                               std::to_string(inventory.screens) + " screens and " +
                               std::to_string(inventory.keyboards) + " keyboards");
 }
 
-Inventory draw_inventory(std::uint64_t seed) {
+Inventory draw_inventory(std::uint64_t seed, RoomKind kind) {
+  if (kind != RoomKind::office) return {.tables = 1};
   Random random(seed, 1000);
   Inventory inventory;
   inventory.tables = random.integer(1, 4);

@@ -74,6 +74,13 @@ struct Office {
 /// Tables with what stands on and before them; false when there is no room for all of the inventory.
 [[nodiscard]] bool add_workplaces(Office& office, const Inventory& inventory);
 void add_chair(Office& office, const Desk& desk);
+/// A free place along some wall for a thing of this size, its rear at the wall; x is the thing's middle, y away from the wall.
+/// `front` > 0 keeps so much room before it. Takes the place.
+[[nodiscard]] std::optional<Eigen::Isometry3d> along_wall(Office& office, const Vector3d& size, double bottom, double front);
+/// Sofas, a bed; false when the room has no place for them.
+[[nodiscard]] bool add_home_furniture(Office& office);
+/// A counter over cabinets, a stove, a fridge, cupboards on the wall; false when there is no place for them.
+[[nodiscard]] bool add_kitchen_furniture(Office& office);
 /// Cabinets, shelves, whiteboards, pictures, cable ducts.
 void add_wall_furniture(Office& office);
 /// Open boards with books between `low` and `high` of the brush's frame; the shelf's front is +y.
@@ -88,8 +95,8 @@ void draw_person(Office& office, const Brush& brush, bool seated);
 
 /// The whole room; tries again, a little larger, until everything of the inventory fits.
 /// Throws std::invalid_argument for an inventory no room can hold.
-[[nodiscard]] Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied = false);
+[[nodiscard]] Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied = false, RoomKind kind = RoomKind::office);
 /// Drawn from the seed: 1 to 4 tables, most with a screen, most screens with a keyboard.
-[[nodiscard]] Inventory draw_inventory(std::uint64_t seed);
+[[nodiscard]] Inventory draw_inventory(std::uint64_t seed, RoomKind kind = RoomKind::office);
 
 }  // namespace scenelore::simulator

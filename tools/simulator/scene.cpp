@@ -6,6 +6,17 @@
 namespace scenelore::simulator {
 
 const char* name_of(ObjectClass object_class) {
+  switch (object_class) {
+    case ObjectClass::sofa: return "sofa";
+    case ObjectClass::sofa_back: return "sofa_back";
+    case ObjectClass::bed: return "bed";
+    case ObjectClass::radiator: return "radiator";
+    case ObjectClass::counter: return "counter";
+    case ObjectClass::stove: return "stove";
+    case ObjectClass::fridge: return "fridge";
+    case ObjectClass::wall_cabinet: return "wall_cabinet";
+    default: break;
+  }
   static constexpr std::array names = {"unknown",     "floor",      "ceiling",    "wall",       "table",
                                        "flat_screen", "keyboard",   "chair_seat", "chair_back", "door",
                                        "window",      "whiteboard", "shelf",      "cabinet"};
@@ -51,6 +62,12 @@ Reflectance reflectance(Material material) {
 int Scene::add(Object object) {
   objects_.push_back(std::move(object));
   return static_cast<int>(objects_.size()) - 1;
+}
+
+void Scene::classify(const std::string& kind, ObjectClass object_class) {
+  for (Object& object : objects_) {
+    if (object.thing.starts_with(kind + " ")) object.object_class = object_class;
+  }
 }
 
 void Scene::add(int object, Shape shape, bool counts, std::optional<Material> material) {

@@ -13,7 +13,7 @@
 
 namespace scenelore::simulator {
 
-/// Values are the class ids of docs/classes.md.
+/// Values are the class ids of docs/classes.md and of the packs in schemas/knowledge.
 enum class ObjectClass {
   unknown,
   floor,
@@ -28,7 +28,16 @@ enum class ObjectClass {
   window,
   whiteboard,
   shelf,
-  cabinet
+  cabinet,
+  // of the knowledge packs home and kitchen
+  sofa = 40,
+  sofa_back,
+  bed,
+  radiator,
+  counter = 50,
+  stove,
+  fridge,
+  wall_cabinet
 };
 [[nodiscard]] const char* name_of(ObjectClass object_class);
 
@@ -69,6 +78,8 @@ class Scene {
  public:
   /// Returns the index of the new object; its instance number is one more.
   int add(Object object);
+  /// Objects of this kind of thing ("radiator 2" is a "radiator") become that class.
+  void classify(const std::string& kind, ObjectClass object_class);
   /// A shape of the object; `counts` tells whether it enters area, centroid and normal (the rear of a panel does not).
   /// Its material is the object's, unless told otherwise.
   void add(int object, Shape shape, bool counts = true, std::optional<Material> material = {});

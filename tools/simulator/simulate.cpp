@@ -90,7 +90,8 @@ std::vector<double> draw_bias(const SimulationOptions& options, std::size_t obje
 
 SimulatedScan simulate(const SimulationOptions& options) {
   check(options);
-  const Office office = make_office(options.seed, options.inventory.value_or(draw_inventory(options.seed)), options.varied);
+  const Office office =
+      make_office(options.seed, options.inventory.value_or(draw_inventory(options.seed, options.room)), options.varied, options.room);
   const std::vector<Object>& objects = office.scene.objects();
   const Bvh shapes(office.scene.shapes());
   const World world{

@@ -19,6 +19,12 @@ enum class Sensor {
   depth_camera  ///< 640×480, 57°×43°, noise growing with z²
 };
 
+enum class RoomKind {
+  office,
+  home,    ///< a table, sofas, a bed, radiators: classes of the knowledge pack home
+  kitchen  ///< a table, a counter over cabinets, a stove, a fridge, cupboards on the wall: of the pack kitchen
+};
+
 /// How many objects of the paper's three classes a room has; drawn from the seed when not set.
 struct Inventory {
   int tables = 0, screens = 0, keyboards = 0;
@@ -26,6 +32,7 @@ struct Inventory {
 
 struct SimulationOptions {
   std::uint64_t seed = 1;
+  RoomKind room = RoomKind::office;
   std::optional<Inventory> inventory;
   Sensor sensor = Sensor::lidar;
   double noise = 0.01;         ///< metres, standard deviation of the range; of a depth camera: of the depth at 3 m
