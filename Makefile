@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench table1 relabel rules_bench knowledge nightly asan clean
+.PHONY: demo test build bench engine_bench experiments table1 relabel rules_bench knowledge nightly asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -21,6 +21,12 @@ build:
 # Table 1 of the paper on simulated rooms: reference mode and default, before and after constraints.
 table1: bench
 	build/bench/bin/table1
+
+# The paper's experiments and more, as a report; REAL=folder adds labelled real scans, SETS=10 makes it thorough.
+SETS ?= 2
+REAL ?=
+experiments: bench
+	build/bench/bin/experiments docs/experiments $(SETS) 9101 $(REAL)
 
 # Time of `scenelore label` after one changed row and after one edited rule, on nine simulated rooms.
 relabel: bench

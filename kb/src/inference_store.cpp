@@ -129,6 +129,16 @@ void replace_reasons(Database& database, std::int64_t run, const std::vector<Rea
   }
 }
 
+void insert_objects(Database& database, std::int64_t run, const Inference& inference) {
+  Statement object = database.prepare("INSERT INTO object (run_id, composite, number) VALUES (?, ?, ?)");
+  Statement plane = database.prepare("INSERT INTO object_plane (plane_id, object_id, part) VALUES (?, ?, ?)");
+  for (const Object& o : inference.objects) {
+    object.use()(run)(o.composite)(o.number).run();
+    const std::int64_t id = database.last_id();
+    for (const auto& [plane_id, part] : o.planes) plane.use()(plane_id)(id)(part).run();
+  }
+}
+
 }  // namespace
 
 std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& inference) {
@@ -142,6 +152,7 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   replace_facts(database, scan, inference);
   replace_geometry(database, scan, inference.geometry);
   insert_labels(database, run, inference);
+  insert_objects(database, run, inference);
   replace_reasons(database, run, inference.reasons);
   transaction.commit();
   return run;

@@ -1,5 +1,7 @@
 #include "knowledge_rows.hpp"
 
+#include "composites.hpp"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -33,6 +35,30 @@ std::vector<Row> rows(const Database& database, std::string_view sql, Read read)
 
 }  // namespace
 
+namespace {
+
+Orientation orientation_of(const std::optional<std::string>& text) {
+  return !text ? Orientation::any : *text == "level" ? Orientation::level : Orientation::upright;
+}
+
+// With what they need, as constraint rows behind the others.
+void read_composites(const Database& database, Knowledge& knowledge) {
+  Statement composites = database.prepare("SELECT name, enabled FROM composite ORDER BY id");
+  for (auto row = composites.use(); row.next();) knowledge.composites.push_back({row.text(0), {}, row.integer(1) != 0});
+  Statement parts = database.prepare(
+      "SELECT composite, part, class, relation, orientation, fewest, most, weight FROM composite_part ORDER BY id");
+  for (auto row = parts.use(); row.next();) {
+    for (Composite& composite : knowledge.composites) {
+      if (composite.name != row.text(0)) continue;
+      composite.parts.push_back({row.text(1), row.text(2), row.optional_text(3), orientation_of(row.optional_text(4)),
+                                 static_cast<int>(row.integer(5)), static_cast<int>(row.integer(6)), row.optional_real(7)});
+    }
+  }
+  for (ClassConstraint& need : composite_needs(knowledge.composites)) knowledge.constraints.push_back(std::move(need));
+}
+
+}  // namespace
+
 Knowledge read_knowledge(const Database& database) {
   using Use = Statement::Use;
   Knowledge knowledge;
@@ -62,6 +88,7 @@ Knowledge read_knowledge(const Database& database) {
                                row.is_null(6) ? std::nullopt : std::optional(static_cast<int>(row.integer(6))),
                                row.optional_real(7), row.text(8), row.integer(9) != 0};
       });
+  read_composites(database, knowledge);
   Statement settings = database.prepare("SELECT key, value FROM setting");
   for (auto row = settings.use(); row.next();) knowledge.settings.emplace(row.text(0), row.text(1));
   return knowledge;
@@ -120,6 +147,13 @@ std::string hash_knowledge(const Knowledge& knowledge) {
   for (const ClassConstraint& c : knowledge.constraints) {
     add(c.id)(c.name)(c.object_class)(static_cast<int>(c.quantifier))(c.relation)(c.other_class)(c.count)(c.weight)(
         c.message)(c.enabled ? 1 : 0);
+  }
+  add("composite");
+  for (const Composite& c : knowledge.composites) {
+    add(c.name)(c.enabled ? 1 : 0);
+    for (const CompositePart& p : c.parts) {
+      add(p.part)(p.object_class)(p.relation)(static_cast<int>(p.orientation))(p.fewest)(p.most)(p.weight);
+    }
   }
   return add.hex();
 }

@@ -30,6 +30,7 @@ std::string snapshot_sql(const Knowledge& knowledge) {
     sql += fmt::format("UPDATE feature SET weight = {} WHERE name = {};\n", number(f.weight), quoted(f.name));
   }
   for (const ClassConstraint& row : knowledge.constraints) {
+    if (row.id < 0) continue;  // of a composite
     sql += fmt::format("UPDATE class_constraint SET weight = {} WHERE name = {};\n", row.weight ? number(*row.weight) : "NULL", quoted(row.name));
   }
   for (const ClassFeature& row : knowledge.class_features) {

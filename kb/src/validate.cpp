@@ -72,6 +72,18 @@ class Checker {
     }
   }
 
+  void check_composites() const {
+    for (const Composite& composite : knowledge_.composites) {
+      const std::string row = "composite '" + composite.name + "'";
+      int anchors = 0;
+      for (const CompositePart& part : composite.parts) {
+        need_class(row + ", part '" + part.part + "'", part.object_class);
+        anchors += part.relation ? 0 : 1;
+      }
+      need(anchors == 1 || composite.parts.empty(), row, "one of its parts, the anchor, must have no relation, all others one");
+    }
+  }
+
   void check_settings() const {
     one_of("combination", {"product", "mean"});
     one_of("floor", {"ranked", "threshold"});
@@ -152,6 +164,7 @@ void validate(const Knowledge& knowledge, const std::string& file_name) {
   checker.check_features();
   checker.check_densities();
   checker.check_constraints();
+  checker.check_composites();
   checker.check_settings();
 }
 

@@ -432,6 +432,16 @@ std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const Ru
     }
     used.push_back(*row.relation);
   }
+  for (const kb::Composite& composite : knowledge.composites) {
+    for (const kb::CompositePart& part : composite.parts) {
+      if (!composite.enabled || !part.relation) continue;
+      if (!std::binary_search(known.begin(), known.end(), *part.relation)) {
+        throw Error("composite '" + composite.name + "', part '" + part.part + "': there is no relation '" + *part.relation + "'" +
+                    did_you_mean(*part.relation, known));
+      }
+      used.push_back(*part.relation);
+    }
+  }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;

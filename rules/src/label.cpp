@@ -10,6 +10,7 @@
 #include "reasons.hpp"
 #include "scenelore/engine/checker.hpp"
 #include "scenelore/rules/labelling.hpp"
+#include "scenelore/rules/objects.hpp"
 
 namespace scenelore::rules {
 
@@ -188,6 +189,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
     out.labels.push_back(label_of(about, best, rival, probabilities.of(plane, rival), plane));
     margins.push_back(out.labels.back().margin);
   }
+  out.objects = group_objects(knowledge, scene, out.labels, facts.facts);
   add_alternatives(about, best, solver, options.alternatives, out);
   if (!options.reasons) return out;
 

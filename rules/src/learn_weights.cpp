@@ -20,6 +20,9 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Nats. A row of weight 0 would drop out of the problem and never come back; the schema forbids it, too.
 constexpr double kLeastRow = 0.01;
 
+/// Soft rows of the table class_constraint; what composites and Lua files ask for (ids below 0) keeps its weight.
+bool is_learned(const kb::ClassConstraint& row) { return row.enabled && row.id >= 0 && row.weight && *row.weight > 0; }
+
 /// Where the weights stand in the vector of parameters: features that count, then classes, then soft rows.
 struct Layout {
   std::vector<int> features, rows;  // index into the knowledge
@@ -31,7 +34,7 @@ struct Layout {
     }
     for (int i = 0; i < static_cast<int>(knowledge.constraints.size()); ++i) {
       const kb::ClassConstraint& row = knowledge.constraints[at(i)];
-      if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) rows.push_back(i);  // those below 0 stand in Lua files
+      if (row.id >= 0 && is_learned(row)) rows.push_back(i);  // those below 0 stand in Lua files
     }
   }
   [[nodiscard]] std::size_t first_class() const { return features.size(); }
@@ -174,7 +177,7 @@ kb::Knowledge with_weights(kb::Knowledge knowledge, const LearnedWeights& weight
   for (std::size_t c = 0; c < knowledge.classes.size(); ++c) knowledge.classes[c].prior = weights.priors[c];
   for (std::size_t r = 0; r < knowledge.constraints.size(); ++r) {
     kb::ClassConstraint& row = knowledge.constraints[r];
-    if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) row.weight = weights.constraints[r];
+    if (row.id >= 0 && is_learned(row)) row.weight = weights.constraints[r];
   }
   return knowledge;
 }
@@ -193,7 +196,7 @@ std::string to_sql(const kb::Knowledge& knowledge, const LearnedWeights& weights
   }
   for (std::size_t r = 0; r < knowledge.constraints.size(); ++r) {
     const kb::ClassConstraint& row = knowledge.constraints[r];
-    if (row.id >= 0 && row.enabled && row.weight && *row.weight > 0) update("class_constraint", "weight", row.name, weights.constraints[r], *row.weight);
+    if (row.id >= 0 && is_learned(row)) update("class_constraint", "weight", row.name, weights.constraints[r], *row.weight);
   }
   return sql;
 }

@@ -197,3 +197,14 @@ INSERT INTO class_constraint (name, class, quantifier, relation, other_class, co
   ('shelf_near_shelf',      'shelf',       'some',     'near',     'shelf',     NULL, 1.0, 'a shelf has several boards'),
   ('cabinet_near_wall',     'cabinet',     'some',     'near',     'wall',      NULL, 0.5, 'a cabinet mostly stands near a wall'),
   ('cabinet_not_on_table',  'cabinet',     'no',       'above',    'table',     NULL, 1.0, 'no cabinet stands on a table');
+
+-- Things of several surfaces. The rows above already ask for backs near seats, so that these only group what is labelled.
+INSERT INTO composite (name, description) VALUES
+  ('chair',   'a seat and its back'),
+  ('cabinet', 'its front, sides, top and open wings');
+INSERT INTO composite_part (composite, part, class, relation, orientation, fewest, most, weight) VALUES
+  ('chair',   'seat',  'chair_seat', NULL,       NULL,      0, 1, NULL),
+  ('chair',   'back',  'chair_back', 'near',     NULL,      0, 1, NULL),
+  ('cabinet', 'front', 'cabinet',    NULL,       'upright', 0, 1, NULL),
+  ('cabinet', 'side',  'cabinet',    'touching', 'upright', 0, 4, NULL),
+  ('cabinet', 'top',   'cabinet',    'touching', 'level',   0, 1, NULL);

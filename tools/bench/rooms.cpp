@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -71,17 +72,32 @@ std::vector<Room> perceive_rooms(const std::vector<simulator::SimulationOptions>
   return out;
 }
 
+Situation assess(Room room, const std::vector<std::string>& relations, rules::RuleSet& rules) {
+  Situation out{.room = std::move(room), .scene = {}, .facts = {}};
+  out.scene = rules::make_scene(out.room.record, out.room.planes, kb::built_in_features(out.room.record, out.room.planes));
+  rules.compute_features(out.scene, out.scene.features);
+  const auto start = std::chrono::steady_clock::now();
+  out.facts = rules.relate(out.scene, relations);
+  out.relate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return out;
+}
+
+Labelling label(const kb::Knowledge& knowledge, const Situation& situation) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto evidence = kb::preclassify(knowledge, situation.scene.features);
+  const kb::Inference inference =
+      rules::label(knowledge, situation.scene, evidence, situation.facts, {}, {.alternatives = 0, .reasons = false});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {.before = evaluation::answer_before(knowledge, evidence),
+          .after = evaluation::answer_after(situation.scene.ids, inference.labels),
+          .run = inference.run,
+          .seconds = seconds};
+}
+
 Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, const kb::Scan& record,
                        const std::vector<kb::StoredPlane>& planes) {
-  rules::Scene scene = rules::make_scene(record, planes, kb::built_in_features(record, planes));
-  rules.compute_features(scene, scene.features);
-  const auto evidence = kb::preclassify(knowledge, scene.features);
-  const rules::Facts facts = rules.relate(scene, rules::used_relations(knowledge, rules));
-  const kb::Inference inference = rules::label(knowledge, scene, evidence, facts, {}, {.alternatives = 0});
-
-  evaluation::Answer before = evaluation::answer_before(knowledge, evidence);
-  evaluation::Answer after = evaluation::answer_after(scene.ids, inference.labels);
-  return {.before = std::move(before), .after = std::move(after), .run = inference.run};
+  return label(knowledge, assess({.scan = {}, .record = record, .planes = planes, .objects = {}, .plane_of_point = {}, .truth = {}},
+                                 rules::used_relations(knowledge, rules), rules));
 }
 
 kb::Knowledge knowledge_pack(const std::string& name) {

@@ -31,7 +31,18 @@ struct Labelling {
   evaluation::Answer before;  ///< of the highest evidence alone
   evaluation::Answer after;   ///< of the best world model
   kb::Run run;
+  double seconds = 0;  ///< from features to labels, without relations
 };
+
+/// A room with everything that labels need but knowledge that may change: features, and facts of relations.
+struct Situation {
+  Room room;
+  rules::Scene scene;
+  rules::Facts facts;
+  double relate_seconds = 0;
+};
+[[nodiscard]] Situation assess(Room room, const std::vector<std::string>& relations, rules::RuleSet& rules);
+[[nodiscard]] Labelling label(const kb::Knowledge& knowledge, const Situation& situation);
 
 /// Labels planes without a file in between.
 [[nodiscard]] Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, const kb::Scan& record,

@@ -89,7 +89,8 @@ class LearnCommand : public Command {
     return "scenelore kb init lab.gpkg\n"
            "scenelore run office.ply --kb lab.gpkg\n"
            "sqlite3 lab.gpkg \"INSERT INTO truth (plane_id, class) SELECT plane_id, class FROM label WHERE probability > 0.6\"\n"
-           "scenelore learn lab.gpkg\n"
+           "scenelore learn lab.gpkg --dry-run\n"
+           "scenelore learn lab.gpkg --force\n"
            "scenelore label lab.gpkg\n"
            "scenelore learn lab.gpkg --undo";
   }
@@ -121,7 +122,7 @@ class LearnCommand : public Command {
       fmt::print(stderr, "scenelore: {}: nothing was learned: {}\n", file_, *learned.refusal);
       return kNegative;
     }
-    const bool harmful = learned.harmful() && !force_, written = !dry_run_ && !harmful;
+    const bool harmful = learned.harmful() && !force_ && !dry_run_, written = !dry_run_ && !harmful;
     const std::string what = fmt::format("learned from {} planes of {} scan{}", learned.planes, learned.scans, learned.scans == 1 ? "" : "s");
     if (written) base.learn_knowledge(learned.sql, what);
     if (json_) print_json(knowledge, learned, written);

@@ -50,6 +50,26 @@ Json changes_json(const Report& report) {
   return out;
 }
 
+/// "chair 1: seat 12, back 13": things of which more than one plane was found.
+void print_objects(const kb::Inference& inference) {
+  for (const kb::Object& object : inference.objects) {
+    if (object.planes.size() < 2) continue;
+    std::string parts;
+    for (const auto& [plane, part] : object.planes) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", part, plane);
+    fmt::print("{} {}: {}\n", object.composite, object.number, parts);
+  }
+}
+
+Json objects_json(const kb::Inference& inference) {
+  Json out = Json::array();
+  for (const kb::Object& object : inference.objects) {
+    Json planes = Json::array();
+    for (const auto& [plane, part] : object.planes) planes.push_back({{"plane", plane}, {"part", part}});
+    out.push_back({{"composite", object.composite}, {"number", object.number}, {"planes", std::move(planes)}});
+  }
+  return out;
+}
+
 Json to_json(const Report& report) {
   const kb::Inference& inference = report.inference;
   auto reasons = reasons_by_plane(inference);
@@ -76,6 +96,7 @@ Json to_json(const Report& report) {
           {"nodes", inference.run.nodes},
           {"seconds", inference.run.seconds},
           {"planes", std::move(planes)},
+          {"objects", objects_json(inference)},
           {"corrected", report.corrected},
           {"changes", changes_json(report)},
           {"warnings", report.warnings},
@@ -161,6 +182,7 @@ void print_text(const Report& report, const std::string& fallback) {
     fmt::print("{:>7}  {:<12} {:>5.2f}  {}\n", label.plane, label.object_class, label.probability,
                main_reason(reasons[label.plane]));
   }
+  print_objects(inference);
   if (rest > 0) fmt::print("{} more planes fit no class ({})\n", rest, fallback);
   fmt::print("knowledge base: {}\n", report.file);
   for (const std::string& file : report.written) fmt::print("written: {}\n", file);

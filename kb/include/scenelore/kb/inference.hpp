@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenelore::kb {
@@ -82,6 +83,13 @@ struct StoredFacts {
   std::vector<RelationFact> facts;
 };
 
+/// A thing of several surfaces: chair 2, with its seat and its back.
+struct Object {
+  std::string composite;
+  int number = 1;
+  std::vector<std::pair<PlaneId, std::string>> planes;  ///< with the part that each is; the anchor first
+};
+
 /// Everything of one labelling of one scan.
 struct Inference {
   Run run;
@@ -94,6 +102,7 @@ struct Inference {
   std::vector<Label> labels;
   std::vector<Alternative> alternatives;
   std::vector<Reason> reasons;
+  std::vector<Object> objects;
 };
 
 }  // namespace scenelore::kb

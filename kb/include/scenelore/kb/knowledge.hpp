@@ -56,12 +56,30 @@ struct ClassConstraint {
   bool enabled = true;
 };
 
+enum class Orientation { any, level, upright };
+
+/// A part of a thing of several surfaces; the one without a relation is the anchor, of which each thing has one.
+struct CompositePart {
+  std::string part, object_class;
+  std::optional<std::string> relation;  ///< from the part to the anchor
+  Orientation orientation = Orientation::any;
+  int fewest = 0, most = 1;
+  std::optional<double> weight;  ///< nats; nullopt = the part is no need of the world model
+};
+
+struct Composite {
+  std::string name;
+  std::vector<CompositePart> parts;  ///< in the order of their rows
+  bool enabled = true;
+};
+
 struct Knowledge {
   std::vector<ObjectClass> classes;        ///< by id; exactly one fallback
   std::vector<Feature> features;           ///< by name
   std::vector<ClassFeature> class_features;
   std::vector<ClassDensity> class_densities;
-  std::vector<ClassConstraint> constraints;  ///< by id, disabled ones too
+  std::vector<ClassConstraint> constraints;  ///< by id, disabled ones too; the needs of composites after them (ids below −999,999)
+  std::vector<Composite> composites;         ///< by id
   std::map<std::string, std::string> settings;
 
   /// Index into `classes`, −1 when there is none of that name.
