@@ -33,6 +33,11 @@ std::string snapshot_sql(const Knowledge& knowledge) {
     if (row.id < 0) continue;  // of a composite
     sql += fmt::format("UPDATE class_constraint SET weight = {} WHERE name = {};\n", row.weight ? number(*row.weight) : "NULL", quoted(row.name));
   }
+  sql += "DELETE FROM setting WHERE key IN ('probability_slope', 'probability_offset');\n";
+  for (const char* key : {"probability_slope", "probability_offset"}) {
+    const auto found = knowledge.settings.find(key);
+    if (found != knowledge.settings.end()) sql += fmt::format("INSERT INTO setting (key, value) VALUES ({}, {});\n", quoted(key), quoted(found->second));
+  }
   for (const ClassFeature& row : knowledge.class_features) {
     sql += guarded("class_feature", "mean, sigma", row.object_class, row.feature, number(row.mean) + ", " + number(row.sigma));
   }

@@ -89,6 +89,8 @@ class Checker {
     one_of("floor", {"ranked", "threshold"});
     number_within("floor_threshold", 0, 1);
     number_within("outlier_share", 0, 0.5);
+    number_within("probability_slope", 0, 9);
+    number_within("probability_offset", -9, 9);
   }
 
  private:

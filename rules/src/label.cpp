@@ -182,11 +182,12 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   const Case about{knowledge, scene, evidence, index, compiled};
   const World best(about, solution);
   const auto other_worlds = rivals(about, best, solution, solver, options.solver.limits.seconds);
+  const kb::ProbabilityScale scale = knowledge.probability_scale();
   const Probabilities probabilities(about, solver, solution);
   std::vector<double> margins;
   for (int plane = 0; plane < about.planes(); ++plane) {
     const auto& rival = other_worlds[at(plane)];
-    out.labels.push_back(label_of(about, best, rival, probabilities.of(plane, rival), plane));
+    out.labels.push_back(label_of(about, best, rival, scale(probabilities.of(plane, rival)), plane));
     margins.push_back(out.labels.back().margin);
   }
   out.objects = group_objects(knowledge, scene, out.labels, facts.facts);

@@ -94,6 +94,19 @@ Labelling label(const kb::Knowledge& knowledge, const Situation& situation) {
           .seconds = seconds};
 }
 
+std::vector<std::string> best_classes(const kb::Knowledge& knowledge, const Situation& situation) {
+  const auto evidence = kb::preclassify(knowledge, situation.scene.features);
+  const rules::LabellingProblem compiled = rules::compile(knowledge, situation.scene, evidence, situation.facts, {});
+  const engine::Solution best = engine::Solver(compiled.problem, {.limits = {.seconds = 5}}).solve();
+  std::vector<std::string> out;
+  for (const int variable : compiled.variable_of_plane) {
+    const auto v = static_cast<std::size_t>(variable);
+    const auto label = static_cast<std::size_t>(best.assignment.at(v));
+    out.push_back(knowledge.classes[static_cast<std::size_t>(compiled.class_of_label[v][label])].name);
+  }
+  return out;
+}
+
 Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, const kb::Scan& record,
                        const std::vector<kb::StoredPlane>& planes) {
   return label(knowledge, assess({.scan = {}, .record = record, .planes = planes, .objects = {}, .plane_of_point = {}, .truth = {}},

@@ -43,6 +43,8 @@ struct Situation {
 };
 [[nodiscard]] Situation assess(Room room, const std::vector<std::string>& relations, rules::RuleSet& rules);
 [[nodiscard]] Labelling label(const kb::Knowledge& knowledge, const Situation& situation);
+/// Classes of the best world alone, without margins and probabilities, which take most of the time.
+[[nodiscard]] std::vector<std::string> best_classes(const kb::Knowledge& knowledge, const Situation& situation);
 
 /// Labels planes without a file in between.
 [[nodiscard]] Labelling label_planes(const kb::Knowledge& knowledge, rules::RuleSet& rules, const kb::Scan& record,

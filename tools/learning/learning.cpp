@@ -7,6 +7,7 @@
 
 #include "learning/cross_validation.hpp"
 #include "learning/fit.hpp"
+#include "learning/platt.hpp"
 
 namespace scenelore::learning {
 
@@ -72,7 +73,10 @@ Learned learn(const kb::Knowledge& knowledge, const std::vector<LabelledScan>& s
   if (out.refusal) return out;
 
   const std::string& fallback = knowledge.classes[static_cast<std::size_t>(knowledge.fallback_index())].name;
-  std::vector<Judged> held = cross_validate(knowledge, scenes, options);
+  kb::Knowledge unscaled = knowledge;  // the scale is fitted to what the model itself says
+  unscaled.settings.erase("probability_slope");
+  unscaled.settings.erase("probability_offset");
+  std::vector<Judged> held = cross_validate(unscaled, scenes, options);
   out.suspects = suspects_of(held, scans, options);
   std::vector<Judged> present = judge(knowledge, scenes, options);
   for (const Suspect& suspect : out.suspects) {
@@ -84,6 +88,10 @@ Learned learn(const kb::Knowledge& knowledge, const std::vector<LabelledScan>& s
       }
     }
   }
+  std::vector<evaluation::Claim> claims;
+  for (const Judged& j : held) claims.push_back({j.world_probability, j.by_world == j.truth});
+  out.scale = fit_scale(claims);
+  for (Judged& j : held) j.world_probability = out.scale(j.world_probability);
   out.before = effect_of(present, fallback);
   out.after = effect_of(held, fallback);
 
@@ -91,6 +99,14 @@ Learned learn(const kb::Knowledge& knowledge, const std::vector<LabelledScan>& s
   out.notes = std::move(fitted.notes);
   out.sql = kb::to_sql(fitted.rows);
   if (fitted.weights) out.sql += rules::to_sql(fitted.with_rows, *fitted.weights);
+  const auto setting = [&](const char* key, double value, const char* meaning) {
+    const std::string text = fmt::format("{:.3f}", value);
+    out.sql += fmt::format("INSERT INTO setting (key, value, description) VALUES ('{}', '{}', '{}')\n  ON CONFLICT (key) DO UPDATE SET value = excluded.value;\n",
+                           key, text, meaning);
+    fitted.knowledge.settings[key] = text;
+  };
+  setting("probability_slope", out.scale.slope, "logit of a told probability per logit of the model''s");
+  setting("probability_offset", out.scale.offset, "what is added to it");
   out.rows = std::move(fitted.rows);
   out.weights = std::move(fitted.weights);
   out.knowledge = std::move(fitted.knowledge);

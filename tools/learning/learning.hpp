@@ -27,7 +27,7 @@ struct Options {
   int min_examples = 5;          ///< of a class; classes with fewer keep their rows
   double present_strength = 12;  ///< pretended examples of the present rows, for each class and feature
   double outliers = 0.04;        ///< share of wrong labels that move no Gaussian
-  double suspicious = 0.01;      ///< a label that the other planes find less likely than this, and another class more likely than not, …
+  double suspicious = 0.1;       ///< a label that the other planes find less likely than this, and another class more likely than not, …
   double most_suspects = 0.1;    ///< … is left out, the least likely first, up to this share of the labels
   int folds = 4;                 ///< of the cross-validation; at least 2
   bool weights = true;           ///< learn weights of features and constraint rows, too
@@ -58,6 +58,7 @@ struct Learned {
   int planes = 0, scans = 0;           ///< labelled
   kb::LearnedRows rows;
   std::optional<rules::LearnedWeights> weights;
+  kb::ProbabilityScale scale;  ///< of the adjusted probabilities, from held-back planes
   kb::Knowledge knowledge;  ///< with everything in place
   std::string sql;
   std::vector<Suspect> suspects;

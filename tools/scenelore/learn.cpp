@@ -149,6 +149,7 @@ class LearnCommand : public Command {
     const Changes changes(before, learned.knowledge);
     print_weights("feature weight", changes.features);
     print_weights("constraint weight", changes.constraints);
+    fmt::print("\nprobabilities are told with slope {:.2f} and offset {:.2f} of their logit\n", learned.scale.slope, learned.scale.offset);
     print_effect(learned);
     if (!learned.suspects.empty()) fmt::print("\n{} labels do not fit the others and were left out; look at them:\n", learned.suspects.size());
     for (const learning::Suspect& s : learned.suspects) {
@@ -173,7 +174,8 @@ class LearnCommand : public Command {
     }
     fmt::print("{}\n", Json{{"knowledge_base", file_}, {"planes", learned.planes}, {"scans", learned.scans}, {"written", written},
                             {"classes", std::move(classes)}, {"feature_weights", changes_json(changes.features)},
-                            {"constraint_weights", changes_json(changes.constraints)}, {"before", effect_json(learned.before)},
+                            {"constraint_weights", changes_json(changes.constraints)}, {"probability_slope", learned.scale.slope},
+                            {"probability_offset", learned.scale.offset}, {"before", effect_json(learned.before)},
                             {"after", effect_json(learned.after)}, {"suspects", std::move(suspects)}, {"notes", learned.notes}}
                            .dump(2, ' ', false, Json::error_handler_t::replace));
   }

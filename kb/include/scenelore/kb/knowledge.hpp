@@ -73,6 +73,13 @@ struct Composite {
   bool enabled = true;
 };
 
+/// How sure the model is against how sure it may be: logit p′ = slope · logit p + offset (Platt 1999).
+struct ProbabilityScale {
+  double slope = 1, offset = 0;
+  /// 0 and 1 stay what they are.
+  [[nodiscard]] double operator()(double probability) const;
+};
+
 struct Knowledge {
   std::vector<ObjectClass> classes;        ///< by id; exactly one fallback
   std::vector<Feature> features;           ///< by name
@@ -85,6 +92,8 @@ struct Knowledge {
   /// Index into `classes`, −1 when there is none of that name.
   [[nodiscard]] int class_index(const std::string& name) const;
   [[nodiscard]] int fallback_index() const;
+  /// Settings `probability_slope` and `probability_offset`; 1 and 0 without them.
+  [[nodiscard]] ProbabilityScale probability_scale() const;
   /// Value of a setting or `otherwise`.
   [[nodiscard]] std::string setting(const std::string& key, const std::string& otherwise) const;
 };
