@@ -129,7 +129,8 @@ void replace_reasons(Database& database, std::int64_t run, const std::vector<Rea
   }
 }
 
-void insert_objects(Database& database, std::int64_t run, const Inference& inference) {
+void replace_objects(Database& database, std::int64_t run, const Inference& inference) {
+  database.prepare("DELETE FROM object WHERE run_id = ?").use()(run).run();
   Statement object = database.prepare("INSERT INTO object (run_id, composite, number) VALUES (?, ?, ?)");
   Statement plane = database.prepare("INSERT INTO object_plane (plane_id, object_id, part) VALUES (?, ?, ?)");
   for (const Object& o : inference.objects) {
@@ -152,7 +153,7 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   replace_facts(database, scan, inference);
   replace_geometry(database, scan, inference.geometry);
   insert_labels(database, run, inference);
-  insert_objects(database, run, inference);
+  replace_objects(database, run, inference);
   replace_reasons(database, run, inference.reasons);
   transaction.commit();
   return run;

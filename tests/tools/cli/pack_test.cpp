@@ -65,9 +65,9 @@ TEST_F(Packs, AreNotNeededForANewClassRowsAloneDo) {
        "INSERT INTO class_feature (class, feature, mean, sigma) VALUES "
        "('sofa', 'tilt_deg', 1, 3), ('sofa', 'height', 0.43, 0.05), ('sofa', 'z_min', 0.42, 0.05), ('sofa', 'z_max', 0.44, 0.05), "
        "('sofa', 'spread_length', 0.41, 0.25), ('sofa', 'aspect', 0.83, 0.3), "
-       "('radiator', 'tilt_deg', 89, 2), ('radiator', 'height', 0.4, 0.06), ('radiator', 'z_min', 0.12, 0.04), ('radiator', 'z_max', 0.68, 0.06), "
-       "('radiator', 'spread_length', 0.2, 0.3), ('radiator', 'spread_width', -0.6, 0.2), ('radiator', 'aspect', 0.8, 0.35), "
-       "('radiator', 'rectangularity', 0.92, 0.08);"
+       "('radiator', 'tilt_deg', 89, 2), ('radiator', 'height', 0.42, 0.08), ('radiator', 'z_min', 0.14, 0.06), ('radiator', 'z_max', 0.7, 0.12), "
+       "('radiator', 'spread_length', 0.1, 0.45), ('radiator', 'spread_width', -0.69, 0.25), ('radiator', 'aspect', 0.74, 0.4), "
+       "('radiator', 'rectangularity', 0.82, 0.15);"
        "INSERT INTO class_constraint (name, class, quantifier, relation, other_class, weight, message) VALUES "
        "('radiator_at_wall', 'radiator', 'some', 'near', 'wall', 2.0, 'a radiator hangs near a wall')");
   ASSERT_EQ(scenelore({"label", "@room.gpkg"}).code, 0);
