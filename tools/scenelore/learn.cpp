@@ -86,13 +86,13 @@ class LearnCommand : public Command {
     return "Learn Gaussians, densities, priors and weights from the planes that the table truth names, and show what it changes.";
   }
   std::string example() const override {
-    return "scenelore kb init lab.gpkg\n"
-           "scenelore run office.ply --kb lab.gpkg\n"
-           "sqlite3 lab.gpkg \"INSERT INTO truth (plane_id, class) SELECT plane_id, class FROM label WHERE probability > 0.6\"\n"
-           "scenelore learn lab.gpkg --dry-run\n"
-           "scenelore learn lab.gpkg --force\n"
-           "scenelore label lab.gpkg\n"
-           "scenelore learn lab.gpkg --undo";
+    return "scenelore kb init mine.gpkg\n"
+           "scenelore run office.ply --kb mine.gpkg\n"
+           "sqlite3 mine.gpkg \"INSERT INTO truth (plane_id, class) SELECT plane_id, class FROM label WHERE probability > 0.6\"\n"
+           "scenelore learn mine.gpkg --dry-run\n"
+           "scenelore learn mine.gpkg --force\n"
+           "scenelore label mine.gpkg\n"
+           "scenelore learn mine.gpkg --undo";
   }
   std::vector<Argument> arguments() override {
     const Effect result = Effect::result;
