@@ -1,7 +1,6 @@
 // Loading, validating, relating: what a rule author meets.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -257,19 +256,13 @@ TEST(Relate, SortsFactsAndGivesTheSameTwice) {
 
 TEST(Relate, AsksAsManyPairsPerPlaneInALargeBuildingAsInASmallOne) {
   RuleSet rules = RuleSet::load();
-  const auto asked = [&](int rooms, double* seconds) {
+  const auto asked_per_plane = [&](int rooms) {
     const Scene scene = building(rooms);
-    const auto start = std::chrono::steady_clock::now();
     std::int64_t sum = 0;
     for (const RelationCount& count : rules.relate(scene, all_relations(rules)).counts) sum += count.asked;
-    *seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return static_cast<double>(sum) / static_cast<double>(scene.planes.size());
   };
-  double small = 0, large = 0;
-  const double per_plane_small = asked(36, &small), per_plane_large = asked(100, &large);
-  EXPECT_LT(per_plane_large, 1.25 * per_plane_small);
-  RecordProperty("milliseconds_2000_planes", static_cast<int>(1000 * large));
-  EXPECT_LT(large, 8) << "2,000 planes; 2 s is the goal on an idle core";
+  EXPECT_LT(asked_per_plane(100), 1.25 * asked_per_plane(36));  // how long it takes is for `make rules_bench`
 }
 
 }  // namespace
