@@ -25,8 +25,9 @@ class Packs : public CommandLine {
   }
 };
 
+// Rooms of seeds that no row of the packs was chosen on (those are 1 to 6).
 TEST_F(Packs, OfHomesFindSofasWithTheirBacks) {
-  const json objects = scored("home", "4");
+  const json objects = scored("home", "12");
   EXPECT_GE(objects["sofa"]["true_positive"], 1);
   EXPECT_EQ(objects["sofa"]["false_positive"], 0);
   EXPECT_GE(objects["sofa_back"]["true_positive"], 1);
@@ -34,7 +35,7 @@ TEST_F(Packs, OfHomesFindSofasWithTheirBacks) {
 }
 
 TEST_F(Packs, OfKitchensFindTheCounter) {
-  const json objects = scored("kitchen", "1");
+  const json objects = scored("kitchen", "11");
   EXPECT_EQ(objects["counter"]["true_positive"], 1);
   EXPECT_EQ(objects["counter"]["false_positive"], 0);
 }
