@@ -1,6 +1,7 @@
 #include "adjacency.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace scenelore::perception {
 
@@ -33,7 +34,11 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching_regions(const Pyrami
     entries.push_back({slots.region[s], head[cube]});
     head[cube] = static_cast<std::int32_t>(entries.size()) - 1;
   }
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  using Pair = std::pair<std::int32_t, std::int32_t>;
+  std::vector<Pair> pairs;
+  // Regions that touch do so in many cubes: most repetitions are caught here, all of them by the sorting below.
+  std::array<Pair, 4096> recent;
+  recent.fill({-1, -1});
   for (std::size_t c = 0; c < grid.count(); ++c) {
     if (head[c] < 0) continue;
     for (std::size_t k = kSelf; k < kNeighbours; ++k) {  // the other half meets this cube from its own side
@@ -42,8 +47,10 @@ std::vector<std::pair<std::int32_t, std::int32_t>> touching_regions(const Pyrami
       for (std::int32_t a = head[c]; a >= 0; a = entries[a].next) {
         for (std::int32_t b = head[other]; b >= 0; b = entries[b].next) {
           const std::int32_t p = entries[a].region, q = entries[b].region;
-          const std::pair pair(std::min(p, q), std::max(p, q));
-          if (p != q && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
+          if (p == q) continue;
+          const Pair pair(std::min(p, q), std::max(p, q));
+          Pair& last = recent[(static_cast<std::size_t>(pair.first) * 61 + static_cast<std::size_t>(pair.second)) % recent.size()];
+          if (last != pair) pairs.push_back(last = pair);
         }
       }
     }

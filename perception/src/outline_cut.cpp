@@ -10,77 +10,116 @@
 namespace scenelore::perception {
 namespace {
 
-constexpr int kDirections = 12;        // steps of 7.5 degrees
+constexpr std::size_t kDirections = 12;        // steps of 7.5 degrees
 constexpr double kLeastShare = 0.06;   // of the cells
 constexpr int kMostCuts = 4;           // along a path
 
 using Indices = std::vector<std::size_t>;
 
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-  void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+/// A place along all directions, then across them.
+using Projections = std::array<double, 2 * kDirections>;
+
+/// The smallest rectangles, in all directions tried, around the places taken in so far.
+struct Extents {
+  Projections low, high;
+
+  Extents() {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+  }
+  void add(const Projections& p) {
+    for (std::size_t k = 0; k < p.size(); ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  /// Of the smallest one that holds the cells whole.
+  [[nodiscard]] double area(double edge) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      best = std::min(best, (high[k] - low[k] + edge) * (high[k + kDirections] - low[k + kDirections] + edge));
+    }
+    return best;
+  }
 };
 
 class Cutter {
  public:
-  Cutter(const std::vector<Eigen::Vector2d>& places, double edge, const OutlineCut& limits) : places_(places), edge_(edge), limits_(limits) {
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = k * std::numbers::pi / 2 / kDirections;
-      directions_[static_cast<std::size_t>(k)] = {std::cos(angle), std::sin(angle)};
+  Cutter(const std::vector<Eigen::Vector2d>& places, double edge, const OutlineCut& limits) : edge_(edge), limits_(limits), along_(places.size()) {
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      const double angle = static_cast<double>(k) * std::numbers::pi / 2 / kDirections;
+      const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        along_[i][k] = d.dot(places[i]);
+        along_[i][k + kDirections] = d.x() * places[i].y() - d.y() * places[i].x();
+      }
     }
   }
 
   void cut(const Indices& cells, int depth, std::vector<Indices>& out) const;
 
  private:
-  /// Along direction k, or across it (k ≥ kDirections).
-  [[nodiscard]] double along(std::size_t cell, int k) const {
-    const Eigen::Vector2d& d = directions_[static_cast<std::size_t>(k % kDirections)];
-    const Eigen::Vector2d& p = places_[cell];
-    return k < kDirections ? d.dot(p) : d.x() * p.y() - d.y() * p.x();
+  [[nodiscard]] double area(const Indices& cells) const {
+    Extents extents;
+    for (const std::size_t c : cells) extents.add(along_[c]);
+    return extents.area(edge_);
   }
-  [[nodiscard]] double area(const Indices& cells, std::size_t begin, std::size_t end) const;
+  /// A way to cut: before the cell at `at` of some order.
+  struct Cut {
+    std::size_t at = 0;
+    double left = 0, right = 0;  ///< m², around the parts
+  };
+  [[nodiscard]] std::vector<Cut> cuts_along(const Indices& order, std::size_t k) const;
   [[nodiscard]] double best_cut(Indices& cells, std::size_t& at) const;
 
-  const std::vector<Eigen::Vector2d>& places_;
   double edge_;
   OutlineCut limits_;
-  std::array<Eigen::Vector2d, kDirections> directions_;
+  std::vector<Projections> along_;
 };
 
-/// Of the smallest rectangle, over the directions tried, that holds the cells whole.
-double Cutter::area(const Indices& cells, std::size_t begin, std::size_t end) const {
-  double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kDirections; ++k) {
-    Extent x, y;
-    for (std::size_t i = begin; i < end; ++i) x.add(along(cells[i], k)), y.add(along(cells[i], k + kDirections));
-    best = std::min(best, (x.high - x.low + edge_) * (y.high - y.low + edge_));
+/// The cuts across direction k of cells that are sorted along it, an edge of a cell apart. Both parts' rectangles come
+/// from one pass each.
+std::vector<Cutter::Cut> Cutter::cuts_along(const Indices& order, std::size_t k) const {
+  const auto least = std::max<std::size_t>(2, static_cast<std::size_t>(kLeastShare * static_cast<double>(order.size())));
+  std::vector<Cut> cuts;
+  double next = along_[order.front()][k] + edge_;
+  for (std::size_t i = least; i + least <= order.size(); ++i) {
+    if (along_[order[i]][k] < next) continue;
+    next = along_[order[i]][k] + edge_;
+    cuts.push_back({.at = i});
   }
-  return best;
+  Extents left, right;
+  std::size_t i = 0;
+  for (Cut& cut : cuts) {
+    for (; i < cut.at; ++i) left.add(along_[order[i]]);
+    cut.left = left.area(edge_);
+  }
+  i = order.size();
+  for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut) {
+    while (i > cut->at) right.add(along_[order[--i]]);
+    cut->right = right.area(edge_);
+  }
+  return cuts;
 }
 
 /// Orders the cells so that the best cut is before `at`; returns the area of both parts.
 double Cutter::best_cut(Indices& cells, std::size_t& at) const {
   double best = std::numeric_limits<double>::infinity();
-  const auto least = std::max<std::size_t>(2, static_cast<std::size_t>(kLeastShare * static_cast<double>(cells.size())));
   Indices best_order;
-  for (int k = 0; k < 2 * kDirections; ++k) {
-    Indices order = cells;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return std::pair(along(a, k), a) < std::pair(along(b, k), b); });
-    const double first = along(order.front(), k);
-    double next = first + edge_;
-    for (std::size_t i = least; i + least <= order.size(); ++i) {
-      if (along(order[i], k) < next) continue;
-      next = along(order[i], k) + edge_;
-      const double left = area(order, 0, i), right = area(order, i, order.size());
-      const double cell = edge_ * edge_;
+  std::vector<std::pair<double, std::size_t>> sorted(cells.size());
+  Indices order(cells.size());
+  for (std::size_t k = 0; k < 2 * kDirections; ++k) {
+    for (std::size_t i = 0; i < cells.size(); ++i) sorted[i] = {along_[cells[i]][k], cells[i]};
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < cells.size(); ++i) order[i] = sorted[i].second;
+    const double cell = edge_ * edge_;
+    bool better = false;
+    for (const auto& [i, left, right] : cuts_along(order, k)) {
       const bool filled = static_cast<double>(i) * cell >= limits_.fill * left &&
                           static_cast<double>(order.size() - i) * cell >= limits_.fill * right;
       if (!filled || left + right >= best || std::min(left, right) < limits_.smallest_part) continue;
       best = left + right;
-      best_order = order;
       at = i;
+      better = true;
     }
+    if (better) best_order = order;
   }
   if (!best_order.empty()) cells = std::move(best_order);
   return best;
@@ -91,7 +130,7 @@ void Cutter::cut(const Indices& cells, int depth, std::vector<Indices>& out) con
   if (depth < kMostCuts && cells.size() >= 8 && !large) {
     Indices order = cells;
     std::size_t at = 0;
-    if (best_cut(order, at) < limits_.clearly * area(order, 0, order.size())) {
+    if (best_cut(order, at) < limits_.clearly * area(order)) {
       cut(Indices(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(at)), depth + 1, out);
       cut(Indices(order.begin() + static_cast<std::ptrdiff_t>(at), order.end()), depth + 1, out);
       return;

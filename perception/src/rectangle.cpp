@@ -34,11 +34,17 @@ namespace {
 
 constexpr int kColumns = 640, kRows = 480;  // the paper's bitmap
 
-/// Where the horizontal line y crosses the ring.
-void add_crossings(const Ring2& ring, double y, std::vector<double>& crossings) {
+/// Where the middles of the rows of pixels cross the ring.
+void add_crossings(const Ring2& ring, std::vector<std::vector<double>>& crossings) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y() <= y) != (b.y() <= y)) crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
+    const auto first = static_cast<int>(std::clamp(std::ceil(low - 0.5), 0.0, double(kRows)));
+    for (int row = first; row < kRows; ++row) {
+      const double y = row + 0.5;
+      if (y >= high) break;
+      crossings[static_cast<std::size_t>(row)].push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    }
   }
 }
 
@@ -62,13 +68,12 @@ double rectangularity(const Outline& outline, const Rectangle& rectangle) {
       p = {(d.dot(rectangle.along) / rectangle.length + 0.5) * kColumns, (d.dot(across) / rectangle.width + 0.5) * kRows};
     }
   }
+  std::vector<std::vector<double>> crossings(kRows);
+  for (const Ring2& ring : rings) add_crossings(ring, crossings);
   int filled = 0;
-  std::vector<double> crossings;
-  for (int row = 0; row < kRows; ++row) {
-    crossings.clear();
-    for (const Ring2& ring : rings) add_crossings(ring, row + 0.5, crossings);
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) filled += centers_between(crossings[i], crossings[i + 1]);
+  for (std::vector<double>& row : crossings) {
+    std::sort(row.begin(), row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2) filled += centers_between(row[i], row[i + 1]);
   }
   return static_cast<double>(filled) / (kColumns * kRows);
 }

@@ -81,24 +81,30 @@ class Footprint {
   explicit Footprint(const std::vector<Sample>& samples) {
     extent_.fill(-std::numeric_limits<double>::infinity());
     for (const Sample& s : samples) {
-      for (std::size_t k = 0; k < kDirections; ++k) extent_[k] = std::max(extent_[k], along(s.at, k));
+      for (std::size_t k = 0; k < kDirections; ++k) extent_[k] = std::max(extent_[k], kDirection[k].dot(s.at));
     }
   }
   [[nodiscard]] bool holds(const Eigen::Vector2d& p) const {
     for (std::size_t k = 0; k < kDirections; ++k) {
-      if (along(p, k) > extent_[k]) return false;
+      if (kDirection[k].dot(p) > extent_[k]) return false;
     }
     return true;
   }
 
  private:
   static constexpr std::size_t kDirections = 16;
-  static double along(const Eigen::Vector2d& p, std::size_t k) {
-    const double angle = static_cast<double>(k) * 2 * std::numbers::pi / kDirections;
-    return std::cos(angle) * p.x() + std::sin(angle) * p.y();
-  }
+  static const std::array<Eigen::Vector2d, kDirections> kDirection;
   std::array<double, kDirections> extent_;
 };
+
+const std::array<Eigen::Vector2d, Footprint::kDirections> Footprint::kDirection = [] {
+  std::array<Eigen::Vector2d, kDirections> directions;
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const double angle = static_cast<double>(k) * 2 * std::numbers::pi / kDirections;
+    directions[k] = {std::cos(angle), std::sin(angle)};
+  }
+  return directions;
+}();
 
 /// Growing takes the tops of all that lies on a table for one plane a little above it. True when these points are such a
 /// layer: nearly all of them over the footprint and no higher than thin things are.
