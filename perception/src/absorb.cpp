@@ -19,7 +19,7 @@ double share_within(const Moments& slot, const PlaneFit& plane, double reach) {
 
 }  // namespace
 
-void absorb_fragments(const Pyramid& pyramid, const Limits& limits, Slots& slots, std::vector<PlaneFit>& planes) {
+void absorb_fragments(const VoxelGrid& grid, const Pyramid& pyramid, const Limits& limits, Slots& slots, std::vector<PlaneFit>& planes) {
   const std::size_t count = planes.size();
   std::vector<std::vector<std::int32_t>> larger(count);
   const auto before = [&](std::int32_t a, std::int32_t b) {  // a is the larger one
@@ -39,8 +39,10 @@ void absorb_fragments(const Pyramid& pyramid, const Limits& limits, Slots& slots
   for (std::size_t s = 0; s < slots.count(); ++s) {
     const std::int32_t r = slots.region[s];
     if (r < 0 || slots.moments[s].n <= 0) continue;
+    const Eigen::Vector3d center = grid.center(slots.voxel[s]);
     for (std::size_t k = 0; k < larger[r].size(); ++k) {
       const std::int32_t other = larger[r][k];
+      if (clearance(planes[other], center, grid.size / 2) > reach[other]) continue;
       inside[r][k] += slots.moments[s].n * share_within(slots.moments[s], planes[other], reach[other]);
     }
   }

@@ -54,16 +54,17 @@ Slots layout(const VoxelGrid& grid, const Candidates& candidates, const std::vec
 
 class Assigner {
  public:
-  Assigner(const Cloud& cloud, const VoxelisedCloud& voxels, const std::vector<PlaneFit>& planes, const AssignRule& rule, Slots& slots)
-      : cloud_(cloud), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), scale_(voxels.grid.size) {}
+  Assigner(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const std::vector<PlaneFit>& planes, const AssignRule& rule,
+           Slots& slots)
+      : cloud_(cloud), grid_(grid), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), scale_(grid.size) {}
 
   void prepare(int threads) {
     rulers_.resize(slots_.count());
-    const double step = voxels_.grid.size / kFixedSteps;
+    const double step = grid_.size / kFixedSteps;
     parallel_pieces(slots_.count(), 8192, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         const std::int32_t r = slots_.region[s];
-        if (r >= 0) rulers_[s] = make_ruler(planes_[r], voxels_.grid.corner(slots_.voxel[s]), step, rule_.unit[r], rule_.reach[r]);
+        if (r >= 0) rulers_[s] = make_ruler(planes_[r], grid_.corner(slots_.voxel[s]), step, rule_.unit[r], rule_.reach[r]);
       }
     });
   }
@@ -89,7 +90,6 @@ class Assigner {
   /// The first slot of a voxel mostly holds most of its points: it is found as what the others leave.
   void run(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& slot_of_point, std::vector<FixedMoments>& sums,
            const Slots* before) const {
-    constexpr std::int64_t mask = kFixedSteps - 1;
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = voxels_.of_point[i];
       if (v == kNoVoxel) {
@@ -105,9 +105,7 @@ class Assigner {
         slot_of_point[i] = none;
         continue;
       }
-      const auto x = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.x[i])) & mask);
-      const auto y = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.y[i])) & mask);
-      const auto z = static_cast<std::int32_t>(static_cast<std::int64_t>(scale_.fixed(cloud_.z[i])) & mask);
+      const auto [x, y, z] = scale_.within_voxel(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
       const std::uint32_t s = choose(first, none, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
       slot_of_point[i] = s;
       if (s != first) sums[s].add(x, y, z);
@@ -116,7 +114,8 @@ class Assigner {
 
  private:
   const Cloud& cloud_;
-  const VoxelisedCloud& voxels_;
+  const VoxelGrid& grid_;
+  const VoxelPoints& voxels_;
   const std::vector<PlaneFit>& planes_;
   const AssignRule& rule_;
   Slots& slots_;
@@ -126,10 +125,10 @@ class Assigner {
 
 }  // namespace
 
-Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
-                    const AssignRule& rule, int threads, std::vector<std::uint32_t>& slot_of_point, const Slots* before) {
+Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Candidates& candidates,
+                    const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads, std::vector<std::uint32_t>& slot_of_point, const Slots* before) {
   if (rule.only.empty()) before = nullptr;
-  Slots slots = layout(voxels.grid, candidates, rule.only, planes.size(), before);
+  Slots slots = layout(grid, candidates, rule.only, planes.size(), before);
   slots.rulers.assign(planes.begin(), planes.end());
   slots.reach = rule.reach;
   if (before != nullptr) {
@@ -137,7 +136,7 @@ Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Cand
     slots.reach.insert(slots.reach.end(), before->reach.begin(), before->reach.end());
   }
   slot_of_point.resize(cloud.size());
-  Assigner assigner(cloud, voxels, planes, rule, slots);
+  Assigner assigner(cloud, grid, voxels, planes, rule, slots);
   assigner.prepare(threads);
   constexpr std::size_t kSmallest = 1 << 15;
   const std::size_t pieces = std::clamp<std::size_t>(cloud.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
@@ -149,14 +148,14 @@ Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Cand
       assigner.run(std::min(cloud.size(), p * length), std::min(cloud.size(), (p + 1) * length), slot_of_point, sums[p], before);
     }
   });
-  const double step = voxels.grid.size / kFixedSteps;
-  parallel_pieces(voxels.grid.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
+  const double step = grid.size / kFixedSteps;
+  parallel_pieces(grid.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       if (before != nullptr && !rule.only[v]) {
         for (std::uint32_t k = 0; k < slots.first[v + 1] - slots.first[v]; ++k) slots.moments[slots.first[v] + k] = before->moments[before->first[v] + k];
         continue;
       }
-      const Eigen::Vector3d corner = voxels.grid.corner(v);
+      const Eigen::Vector3d corner = grid.corner(v);
       FixedMoments left = voxels.fixed[v];
       for (std::uint32_t s = slots.first[v] + 1; s < slots.first[v + 1]; ++s) {
         FixedMoments own;

@@ -19,7 +19,9 @@ namespace {
 
 constexpr int kLevels = 3;              // voxels of 1, 2 and 4 times the finest size
 constexpr double kFewestToGrow = 12;    // points of a region while it is still growing
-constexpr std::int64_t kSampled = 32;   // points of a voxel that thin objects and outlines are judged by
+
+/// Points of a voxel at most that planes are found by: they tell as much as all, to the noise over their square root.
+constexpr std::int64_t kSampled = 12;
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -35,34 +37,43 @@ std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
 /// One segmentation under way.
 class Finder {
  public:
-  Finder(const Cloud& cloud, const SegmentationParameters& parameters, int threads)
-      : cloud_(cloud), threads_(threads), voxels_(voxelise_to_scale(cloud, threads)) {
+  Finder(const Cloud& cloud, const PerceptionOptions& options) : cloud_(cloud), options_(options), threads_(options.threads) {
+    begin("voxels");
+    voxels_ = voxelise_to_scale(cloud, threads_);
     found_.voxel = voxels_.scale.voxel;
     found_.spacing = voxels_.scale.spacing;
-    grow_finest(parameters);
-    pyramid_ = make_pyramid(voxels_.grid, threads);
+    begin("growing");
+    grow_finest(options.parameters);
+    pyramid_ = make_pyramid(voxels_.grid, threads_);
+    begin("sample");
+    sample_ = take_sample(cloud_, voxels_, kSampled, threads_);
   }
 
-  FoundRegions run(const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z);
+  FoundRegions run();
 
  private:
+  void begin(std::string_view stage) const {
+    if (options_.on_stage) options_.on_stage(stage);
+  }
   void grow_finest(const SegmentationParameters& parameters);
   void grow_coarser();
   void assign();
   template <typename Judge>
-  void transfer(const PointSample& sample, bool old_ones_too, Judge judge) {
-    transfer_from_sample(cloud_, voxels_, sample, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
+  void look_closer(bool old_ones_too, Judge judge) {
+    transfer(sample_, voxels_.grid, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
   }
 
   const Cloud& cloud_;
+  const PerceptionOptions& options_;
   int threads_;
   ScaledCloud voxels_;
   FoundRegions found_;
+  PointSample sample_;
   std::vector<LocalSurface> surfaces_;  // of the finest voxels
   Pyramid pyramid_;
   Slots slots_;
   std::vector<PlaneFit> planes_;
-  std::vector<std::uint32_t> slot_of_point_;
+  std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
 };
 
 void Finder::grow_finest(const SegmentationParameters& parameters) {
@@ -113,48 +124,60 @@ void Finder::grow_coarser() {
   refit(slots_, planes_);
 }
 
-/// A pass over the points: each goes to the nearest of the planes around it.
+/// A pass over the sample: each point goes to the nearest of the planes around it.
 void Finder::assign() {
   AssignRule rule;
   rule.unit = rule.reach = tolerances(planes_, found_.limits);
   const Candidates candidates = candidates_around(voxels_.grid, slots_, planes_, rule.reach, found_.limits.max_neighbours, threads_);
-  slots_ = assign_points(cloud_, voxels_, candidates, planes_, rule, threads_, slot_of_point_);
+  slots_ = assign_points(sample_.cloud, voxels_.grid, sample_.voxels, candidates, planes_, rule, threads_, slot_of_point_);
   refit(slots_, planes_);
 }
 
-FoundRegions Finder::run(const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z) {
+FoundRegions Finder::run() {
   const double third = found_.limits.max_plane_distance / 3;
+  begin("assignment");
   assign();
+  begin("coarser growing");
   grow_coarser();
   for (int round = 0; round < 2; ++round) {
+    begin("merging");
     merge_regions(pyramid_, third, slots_, planes_);
-    absorb_fragments(pyramid_, found_.limits, slots_, planes_);
+    absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
+    begin("assignment");
     assign();
   }
+  begin("merging");
   merge_regions(pyramid_, third, slots_, planes_);
-  absorb_fragments(pyramid_, found_.limits, slots_, planes_);
+  absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
   bridge_shadows(third, kLargePlane, slots_, planes_);
+  begin("clutter");
   drop_clutter(voxels_.grid, surfaces_, slots_, planes_);
+  begin("assignment");
   assign();  // what clutter held may belong to what is left
-  found_.upright = estimate_upright(cloud_, by_size(planes_), up, floor_z);
+  begin("upright");
+  found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
   const std::size_t supports = planes_.size();
-  const PointSample sample = take_sample(cloud_, voxels_, kSampled, threads_);
   const bool in_detail = found_.voxel < kCoarsestForThings;
-  if (in_detail) transfer(sample, true, [&](Regions& regions) { split_thin_objects(sample.cloud, found_.upright, found_.limits, regions); });
+  begin("thin objects");
+  if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
   join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
-  if (in_detail) transfer(sample, false, [&](Regions& regions) { part_outlines(sample.cloud, regions); });
-  separate_parts(cloud_, voxels_, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  begin("outlines");
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, regions); });
+  begin("promises");
+  separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  begin("all points");
+  spread_from_sample(cloud_, voxels_, sample_, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  begin("promises");
   static_cast<Settled&>(found_) =
-      keep_promises(cloud_, voxels_, sample, slots_, planes_.size(), found_.limits, threads_, std::move(slot_of_point_));
+      keep_promises(cloud_, voxels_, sample_, slots_, planes_.size(), found_.limits, threads_, std::move(slot_of_point_));
   return std::move(found_);
 }
 
 }  // namespace
 
-FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads,
-                          const std::optional<Eigen::Vector3d>& up, const std::optional<double>& floor_z) {
-  check(parameters);
-  return Finder(cloud, parameters, threads).run(up, floor_z);
+FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options) {
+  check(options.parameters);
+  return Finder(cloud, options).run();
 }
 
 }  // namespace scenelore::perception

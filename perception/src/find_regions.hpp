@@ -2,8 +2,7 @@
 #pragma once
 
 #include "promises.hpp"
-#include "scenelore/perception/parameters.hpp"
-#include "scenelore/perception/upright.hpp"
+#include "scenelore/perception/perceive.hpp"
 
 namespace scenelore::perception {
 
@@ -13,9 +12,7 @@ struct FoundRegions : Settled {
   double voxel = 0, spacing = 0, noise = 0;  ///< metres
 };
 
-/// Everything up to the promises, which hold for the result. `up` and `floor_z` replace the estimates of the upright frame.
-/// Throws Error for a parameter out of range.
-[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const SegmentationParameters& parameters, int threads,
-                                        const std::optional<Eigen::Vector3d>& up = {}, const std::optional<double>& floor_z = {});
+/// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range.
+[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options);
 
 }  // namespace scenelore::perception

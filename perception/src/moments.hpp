@@ -31,6 +31,12 @@ struct Moments {
     return *this;
   }
 
+  Moments& operator*=(double weight) {
+    n *= weight, sum *= weight;
+    xx *= weight, xy *= weight, xz *= weight, yy *= weight, yz *= weight, zz *= weight;
+    return *this;
+  }
+
   /// Requires n > 0.
   [[nodiscard]] Eigen::Vector3d mean() const { return sum / n; }
   [[nodiscard]] Eigen::Matrix3d covariance() const;

@@ -66,12 +66,13 @@ Plane describe_sampled(const Cloud& cloud, std::span<const std::uint32_t> sample
 
 Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   if (options.threads < 1) throw Error("the number of threads is " + std::to_string(options.threads) + "; it must be at least 1");
-  FoundRegions found = find_regions(cloud, options.parameters, options.threads, options.up, options.floor_z);
+  FoundRegions found = find_regions(cloud, options);
   Perception result;
   result.parameters = to_parameters(found.limits);
   result.spacing = found.spacing;
   result.noise = found.noise;
   result.upright = found.upright;
+  if (options.on_stage) options.on_stage("features");
   const auto& points = found.sampled;
   result.planes.resize(points.size());
   const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.small_plane_step / 2)};

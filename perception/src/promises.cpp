@@ -196,22 +196,22 @@ std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const st
 
 }  // namespace
 
-void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limits& limits, int threads,
+void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Limits& limits, int threads,
                     std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, planes.size());
   std::vector<std::vector<Group>> groups(planes.size());
   std::vector<std::uint32_t> place(slots.count());  // every slot is in one region, so that threads do not meet here
   parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) groups[r] = groups_of(voxels.grid, slots, limits, std::move(members[r]), place);
+    for (std::size_t r = begin; r < end; ++r) groups[r] = groups_of(grid, slots, limits, std::move(members[r]), place);
   });
   std::fill(slots.region.begin(), slots.region.end(), -1);
   planes.clear();
   AssignRule rule;
-  rule.only.assign(voxels.grid.count(), false);
+  rule.only.assign(grid.count(), false);
   bool moved = false;
   for (const auto& some : groups) {
     for (const Group& group : some) {
-      const bool kept = surely_within(voxels.grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
+      const bool kept = surely_within(grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
       for (const std::uint32_t s : group.members) {
         slots.region[s] = static_cast<std::int32_t>(planes.size());
         if (!kept) rule.only[slots.voxel[s]] = moved = true;
@@ -223,7 +223,7 @@ void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limi
   rule.unit = rule.reach = tolerances(planes, limits);
   rule.larger_first = false;
   Candidates candidates;
-  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
+  for (std::size_t v = 0; v < grid.count(); ++v) {
     candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
     for (std::uint32_t s = slots.first[v]; rule.only[v] && s < slots.first[v + 1]; ++s) {
       const auto row = candidates.regions.begin() + candidates.first[v];
@@ -232,7 +232,7 @@ void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limi
     }
   }
   candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
-  slots = assign_points(cloud, voxels, candidates, planes, rule, threads, slot_of_point, &slots);
+  slots = assign_points(cloud, grid, voxels, candidates, planes, rule, threads, slot_of_point, &slots);
   refit(slots, planes);
 }
 

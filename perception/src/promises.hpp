@@ -14,7 +14,7 @@ struct Settled {
 
 /// Makes the connected parts of each region regions of their own, and where their planes differ from those that the points
 /// were given to, gives the points to them anew.
-void separate_parts(const Cloud& cloud, const VoxelisedCloud& voxels, const Limits& limits, int threads,
+void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Limits& limits, int threads,
                     std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
 
 /// Splits, trims and drops regions until every one keeps all limits. Mostly the moments and rulers of the slots prove it;

@@ -39,13 +39,25 @@ PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::i
   for (const auto& some : chosen) sample.points.insert(sample.points.end(), some.begin(), some.end());
   sample.cloud.origin = cloud.origin;
   sample.cloud.viewpoint = cloud.viewpoint;
+  sample.voxels.of_point.resize(count);
   for (auto* axis : {&sample.cloud.x, &sample.cloud.y, &sample.cloud.z}) axis->resize(count);
   parallel_pieces(count, kPiece, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = sample.points[k];
       sample.cloud.x[k] = cloud.x[i], sample.cloud.y[k] = cloud.y[i], sample.cloud.z[k] = cloud.z[i];
+      sample.voxels.of_point[k] = voxels.of_point[i];
     }
   });
+  if (count == cloud.size()) {
+    sample.voxels.fixed = voxels.fixed;
+    return sample;
+  }
+  sample.voxels.fixed.resize(voxels.grid.count());
+  const FixedScale scale(voxels.grid.size);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [x, y, z] = scale.within_voxel(sample.cloud.x[k], sample.cloud.y[k], sample.cloud.z[k]);
+    sample.voxels.fixed[sample.voxels.of_point[k]].add(x, y, z);
+  }
   return sample;
 }
 

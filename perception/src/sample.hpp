@@ -5,11 +5,12 @@
 
 namespace scenelore::perception {
 
-/// The points keep the order of the cloud. Chosen by a hash of their coordinates, so that the choice depends neither on
+/// The points keep the order of the cloud, and lie in the voxels of the whole one. Chosen by a hash of their coordinates, so that the choice depends neither on
 /// the order of the points nor on threads.
 struct PointSample {
   Cloud cloud;
   std::vector<std::uint32_t> points;  ///< of the whole cloud
+  VoxelPoints voxels;
 };
 
 /// About `most` points of each voxel that has more, all of the others.

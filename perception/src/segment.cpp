@@ -6,7 +6,7 @@
 namespace scenelore::perception {
 
 Segmentation segment(const Cloud& cloud, const SegmentationParameters& parameters, int threads) {
-  FoundRegions found = find_regions(cloud, parameters, threads);
+  FoundRegions found = find_regions(cloud, {.parameters = parameters, .up = {}, .floor_z = {}, .threads = threads, .on_stage = {}});
   Segmentation result;
   result.parameters = to_parameters(found.limits);
   result.voxel = found.voxel;

@@ -42,12 +42,11 @@ std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits
   return result;
 }
 
-namespace {
-
-/// How far from the plane the voxel's nearest corner is.
 double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double half) {
   return std::abs(plane.distance(center)) - half * plane.normal.cwiseAbs().sum();
 }
+
+namespace {
 
 /// What a voxel's slots hold: one region, none, or several.
 constexpr std::int32_t kNone = -1, kSeveral = -2;

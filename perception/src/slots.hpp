@@ -38,10 +38,10 @@ struct AssignRule {
   std::vector<bool> only;            ///< voxels that are assigned anew, the rest keep their slots; empty = all
 };
 
-/// Gives every point to the nearest of its voxel's candidates, one pass over the points. `slot_of_point` and `before`
+/// Gives every point of a cloud with these voxels to the nearest of its voxel's candidates, one pass over the points. `slot_of_point` and `before`
 /// are needed (and read) only with `rule.only`; `slot_of_point` then refers to the slots that are returned.
-[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates,
-                                  const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads,
+[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels,
+                                  const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads,
                                   std::vector<std::uint32_t>& slot_of_point, const Slots* before = nullptr);
 
 /// The planes with points in each voxel or in one of the 26 around it, largest first, `most` at the most; those that pass
@@ -56,6 +56,9 @@ struct AssignRule {
 
 /// Fits the planes anew to what their slots hold; planes without points keep count 0.
 void refit(const Slots& slots, std::vector<PlaneFit>& planes);
+
+/// How far from the plane the nearest corner of a voxel with this centre is, half an edge given; negative where it is cut.
+[[nodiscard]] double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double half);
 
 /// Tolerances of all planes.
 [[nodiscard]] std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits);

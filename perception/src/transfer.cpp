@@ -24,24 +24,23 @@ Candidates rows_of(std::vector<VoxelRegion> pairs, std::size_t voxels) {
 
 }  // namespace
 
-void transfer_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits,
-                          const std::function<void(Regions&)>& judge, bool old_ones_too, int threads,
-                          std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& limits, const std::function<void(Regions&)>& judge,
+              bool old_ones_too, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   Regions regions;
   regions.planes = planes;
   regions.of_point.resize(sample.points.size());
-  for (std::size_t k = 0; k < sample.points.size(); ++k) regions.of_point[k] = slots.region[slot_of_point[sample.points[k]]];
+  for (std::size_t k = 0; k < sample.points.size(); ++k) regions.of_point[k] = slots.region[slot_of_point[k]];
   const std::vector<std::int32_t> before = regions.of_point;
   judge(regions);
 
   AssignRule rule;
   rule.larger_first = false;
-  rule.only.assign(voxels.grid.count(), false);
+  rule.only.assign(grid.count(), false);
   std::vector<bool> changed(regions.planes.size(), false);
   std::fill(changed.begin() + static_cast<std::ptrdiff_t>(planes.size()), changed.end(), true);
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k] == regions.of_point[k]) continue;
-    rule.only[voxels.of_point[sample.points[k]]] = true;
+    rule.only[sample.voxels.of_point[k]] = true;
     if (before[k] >= 0) changed[before[k]] = true;
     if (regions.of_point[k] >= 0) changed[regions.of_point[k]] = true;
   }
@@ -54,12 +53,12 @@ void transfer_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, cons
   rule.unit.assign(planes.size(), 1.0);
   std::vector<double> furthest(planes.size(), 0);
   std::vector<VoxelRegion> pairs;
-  std::vector<std::int32_t> last(voxels.grid.count(), -1);
+  std::vector<std::int32_t> last(grid.count(), -1);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const std::int32_t r = regions.of_point[k];
     if (r < 0) continue;
     if (changed[r]) furthest[r] = std::max(furthest[r], std::abs(planes[r].distance(sample.cloud.offset(k).cast<double>())));
-    const std::uint32_t v = voxels.of_point[sample.points[k]];
+    const std::uint32_t v = sample.voxels.of_point[k];
     if (!rule.only[v] || last[v] == r) continue;
     last[v] = r;
     pairs.emplace_back(v, r);
@@ -70,7 +69,54 @@ void transfer_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, cons
   for (std::size_t r = 0; r < planes.size(); ++r) {
     if (changed[r]) rule.reach[r] = std::min(rule.reach[r], furthest[r] + 1e-5);
   }
-  slots = assign_points(cloud, voxels, rows_of(std::move(pairs), voxels.grid.count()), planes, rule, threads, slot_of_point, &slots);
+  slots = assign_points(sample.cloud, grid, sample.voxels, rows_of(std::move(pairs), grid.count()), planes, rule, threads, slot_of_point, &slots);
+  refit(slots, planes);
+}
+
+namespace {
+
+/// The planes as all points would have them: a slot of the sample stands for as many points as its voxel has for each
+/// sampled one.
+std::vector<PlaneFit> planes_of_all(const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots, std::size_t count) {
+  std::vector<Moments> moments(count);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] < 0 || slots.moments[s].n <= 0) continue;
+    const std::uint32_t v = slots.voxel[s];
+    Moments all = slots.moments[s];
+    all *= static_cast<double>(voxels.fixed[v].n) / static_cast<double>(sample.voxels.fixed[v].n);
+    moments[slots.region[s]] += all;
+  }
+  std::vector<PlaneFit> planes(count);
+  for (std::size_t r = 0; r < count; ++r) planes[r] = fit_plane(moments[r]);
+  return planes;
+}
+
+}  // namespace
+
+void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
+                        std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+  if (sample.points.size() == cloud.size()) return;
+  planes = planes_of_all(voxels, sample, slots, planes.size());
+  AssignRule rule;
+  rule.larger_first = false;
+  rule.unit.assign(planes.size(), 1.0);
+  rule.reach.assign(planes.size(), 0.0);
+  Candidates candidates;
+  candidates.first.reserve(voxels.grid.count() + 1);
+  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
+    candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+    for (std::uint32_t s = slots.first[v]; s < slots.first[v + 1]; ++s) {
+      const std::int32_t r = slots.region[s];
+      if (r < 0 || slots.moments[s].n <= 0) continue;
+      const auto row = candidates.regions.begin() + candidates.first.back();
+      if (std::find(row, candidates.regions.end(), r) == candidates.regions.end()) candidates.regions.push_back(r);
+      if (slots.ruler[s] >= 0) rule.reach[r] = std::max(rule.reach[r], slots.reach[slots.ruler[s]]);
+    }
+  }
+  candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+  const std::vector<double> most = tolerances(planes, limits);
+  for (std::size_t r = 0; r < planes.size(); ++r) rule.reach[r] = std::min(rule.reach[r], most[r]);
+  slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, threads, slot_of_point);
   refit(slots, planes);
 }
 

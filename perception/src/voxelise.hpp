@@ -1,6 +1,8 @@
 // All points of a cloud into voxels, in one pass.
 #pragma once
 
+#include <array>
+
 #include "fixed_moments.hpp"
 #include "scenelore/perception/cloud.hpp"
 #include "voxel_grid.hpp"
@@ -16,16 +18,25 @@ struct FixedScale {
   static constexpr double kOrigin = static_cast<double>(kPlaceOrigin) * kFixedSteps;
   /// May be anything, NaN too, for coordinates that no voxel holds.
   [[nodiscard]] double fixed(float coordinate) const { return static_cast<double>(coordinate) * steps_per_metre + kOrigin; }
+  /// Place in its voxel of a point that one holds.
+  [[nodiscard]] std::array<std::int32_t, 3> within_voxel(float x, float y, float z) const {
+    const auto low = [this](float c) { return static_cast<std::int32_t>(static_cast<std::int64_t>(fixed(c)) & (kFixedSteps - 1)); };
+    return {low(x), low(y), low(z)};
+  }
   [[nodiscard]] static bool inside(double fixed) {
     constexpr double low = 8.0 * kFixedSteps, high = static_cast<double>(kPlaceLimit) * kFixedSteps;
     return fixed >= low && fixed < high;
   }
 };
 
-struct VoxelisedCloud {
-  VoxelGrid grid;
+/// What the points of a cloud, or of a part of it, leave in the voxels of a grid.
+struct VoxelPoints {
   std::vector<FixedMoments> fixed;       ///< of each voxel
   std::vector<std::uint32_t> of_point;   ///< voxel; kNoVoxel for invalid points and those a million voxels away
+};
+
+struct VoxelisedCloud : VoxelPoints {
+  VoxelGrid grid;
 };
 
 /// Identical for any number of threads and, apart from `of_point`'s order, for any order of the points.

@@ -3,8 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenelore/perception/cloud.hpp"
@@ -14,11 +16,15 @@
 
 namespace scenelore::perception {
 
+/// Told the name of each stage as it begins; for progress and measurement.
+using StageObserver = std::function<void(std::string_view)>;
+
 struct PerceptionOptions {
   SegmentationParameters parameters;
   std::optional<Eigen::Vector3d> up;  ///< up direction in the file's frame, instead of an estimate
   std::optional<double> floor_z;      ///< floor level along the up direction, instead of an estimate
   int threads = 2;                    ///< changes speed only, never the result
+  StageObserver on_stage;             ///< may be empty; called from the calling thread alone
 };
 
 struct Perception {
