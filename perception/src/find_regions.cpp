@@ -20,8 +20,9 @@ namespace {
 constexpr int kLevels = 3;              // voxels of 1, 2 and 4 times the finest size
 constexpr double kFewestToGrow = 12;    // points of a region while it is still growing
 
-/// Points of a voxel at most that planes are found by: they tell as much as all, to the noise over their square root.
-constexpr std::int64_t kSampled = 12;
+// Points of a voxel at most that planes are found by: they tell as much as all, to the noise over their square root. A
+// scene of few voxels is one of small things, which need more.
+constexpr std::int64_t kFewestSampled = 12, kMostSampled = 64, kWantedSample = 300'000;
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -46,7 +47,8 @@ class Finder {
     grow_finest(options.parameters);
     pyramid_ = make_pyramid(voxels_.grid, threads_);
     begin("sample");
-    sample_ = take_sample(cloud_, voxels_, kSampled, threads_);
+    const auto voxels = static_cast<std::int64_t>(std::max<std::size_t>(1, voxels_.grid.count()));
+    sample_ = take_sample(cloud_, voxels_, std::clamp(kWantedSample / voxels, kFewestSampled, kMostSampled), threads_);
   }
 
   FoundRegions run();
