@@ -304,7 +304,7 @@ bool Network::propagate() {
     } else if (bound_rose_) {
       bound_rose_ = false;
       if (!settle_all()) return false;
-    } else if (!shifting_) {
+    } else if (!shifting_ || !pushing_) {
       raised_.clear();
       checks_.clear();
       return true;
@@ -330,9 +330,7 @@ void Network::turn_order() {
 /// Existential directional consistency depends on the order of the variables: costs go to those that come first. Shifting
 /// them to the one end and then to the other one closes most of the gap between it and the best bound that shifting can
 /// give (optimal soft arc consistency), at a small part of what that one takes.
-bool Network::strengthen(int most_turns, int most_idle) {
-  if (!propagate()) return false;
-  if (!shifting_ || (binary_.empty() && requirements_.empty() && cardinalities_.empty())) return true;
+bool Network::turn_to_and_fro(int most_turns, int most_idle) {
   int idle = 0;
   for (int turn = 0; turn < most_turns && idle < most_idle; ++turn) {
     const Cost before = bound();
@@ -342,6 +340,20 @@ bool Network::strengthen(int most_turns, int most_idle) {
     idle = bound() - before <= std::max(least_gain_, room / 256) ? idle + 1 : 0;
   }
   return true;
+}
+
+/// At the root, which is worth the time, all that there is. Below it costs are spread already: pushing them to and fro
+/// would undo that, and diffusion alone goes on from there. It does not know cardinalities.
+bool Network::strengthen(Place place) {
+  const bool diffuses = shifting_ && !(binary_.empty() && requirements_.empty());
+  pushing_ = place == Place::root || !diffuses || !cardinalities_.empty();
+  if (!propagate()) return false;
+  if (!shifting_) return true;
+  if (place == Place::root && !turn_to_and_fro(8, 2)) return false;
+  if (place != Place::root && !cardinalities_.empty() && !turn_to_and_fro(1, 1)) return false;
+  if (!diffuses) return true;
+  pushing_ = false;
+  return place == Place::root ? diffuse(60, 1024, 3) : diffuse(10, 4, 1);
 }
 
 }  // namespace scenelore::engine

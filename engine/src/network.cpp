@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 #include "proof_log.hpp"
@@ -99,7 +100,8 @@ void Network::close_binary(int x, std::vector<int>& function_with) {
     const int index = static_cast<int>(binary_.size());
     const int x_cell = new_cells(labels(x));
     const int y_cell = new_cells(labels(sum.y));
-    binary_.push_back({x, sum.y, table, x_cell, y_cell, sum.constraint});
+    const int idle_cell = new_cells(1);
+    binary_.push_back({x, sum.y, table, x_cell, y_cell, idle_cell, sum.constraint});
     links_[static_cast<std::size_t>(x)].push_back({index, sum.y});
     links_[static_cast<std::size_t>(sum.y)].push_back({index, x});
   }
@@ -170,6 +172,7 @@ void Network::close() {
   for (const Cost cost : original_)
     if (cost > 0 && !is_forbidden(cost)) sum += cost, ++terms;
   least_gain_ = std::max<Cost>(1, sum / terms / 4096);
+  granularity_ = common_divisor();
   // Forbidden labels go, and all is to be looked at once.
   for (int v = 0; v < variables(); ++v) {
     rank_.push_back(v);
@@ -180,6 +183,23 @@ void Network::close() {
   }
   for (int r = 0; r < static_cast<int>(requirements_.size()); ++r) dirty_requirements_.insert(r);
   for (int c = 0; c < static_cast<int>(cardinalities_.size()); ++c) dirty_cardinalities_.insert(c);
+}
+
+/// Of all costs that an assignment can have; 1 as a rule, but problems of whole costs are easier for it.
+Cost Network::common_divisor() const {
+  Cost divisor = 0;
+  const auto add = [&divisor](Cost cost) {
+    if (!is_forbidden(cost)) divisor = std::gcd(divisor, cost);
+  };
+  for (const Cost cost : original_) add(cost);
+  for (const BinaryFunction& f : binary_)
+    for (const Cost cost : tables_[static_cast<std::size_t>(f.table)]) add(cost);
+  for (const RequirementFunction& f : requirements_) {
+    add(f.weight);
+    for (const auto& support : f.supports) add(support.cost);
+  }
+  for (const CardinalityFunction& f : cardinalities_) add(f.weight);
+  return std::max<Cost>(1, divisor);
 }
 
 Cost Network::evaluate(std::span<const int> assignment) const {
@@ -259,15 +279,7 @@ void Network::pop() {
   dirty_cardinalities_.clear();
 }
 
-void Network::set(int index, Cost cost) {
-  const auto i = static_cast<std::size_t>(index);
-  if (saved_at_[i] != stamp_ && !marks_.empty()) {
-    saved_at_[i] = stamp_;
-    saved_costs_.push_back({index, cost_[i]});
-  }
-  cost_[i] = cost;
-  if (log_ != nullptr) log_->changed(index);
-}
+void Network::log(int cell) { log_->changed(cell); }
 
 bool Network::strike(int v, int label) {
   if (log_ != nullptr && is_live(v, label)) log_->struck(v, label);

@@ -30,6 +30,7 @@ struct BinaryFunction {
   int x, y;            ///< x < y
   int table;           ///< index into Network::tables_, row-major by the label of x
   int x_cell, y_cell;  ///< cells of the shifts
+  int idle_cell;       ///< not 0: no pair of live labels costs anything, and no shifts are left
   int constraint;      ///< the caller's (the first one, when several were added up)
 };
 
@@ -141,19 +142,27 @@ class Network {
   void pop();
   int level() const { return static_cast<int>(marks_.size()); }
   /// Upper bound: labels that cannot be part of an assignment cheaper than this may be removed.
-  void set_limit(Cost limit) { limit_ = limit; }
+  void set_limit(Cost limit) { limit_ = rounded_limit(limit); }
+  /// The least limit that lets the same assignments through: each costs a multiple of granularity_. The verifier of a
+  /// proof does not know that.
+  Cost rounded_limit(Cost limit) const {
+    const bool as_it_is = is_forbidden(limit) || limit <= 0 || log_ != nullptr;
+    return as_it_is ? limit : (limit - 1) / granularity_ * granularity_ + 1;
+  }
   bool assign(int v, int label);
   bool remove(int v, int label);
   /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
   bool propagate();
-  /// propagate(), then again with the order of shifting turned round, to and fro: at most so often, and until that many
-  /// turns one after the other hardly raised the bound.
-  bool strengthen(int most_turns = 8, int most_idle = 2);
+  enum class Place { root, entered, branch };
+  /// propagate(), and then what pays at that place of the search to raise the bound further.
+  bool strengthen(Place place = Place::root);
   /// After a failure: the constraint that did it, −1 = the bound; and the variable that ran out of labels, −1.
   int failed_constraint() const { return failed_constraint_; }
   int failed_variable() const { return failed_variable_; }
 
  private:
+  friend class RequirementDiffusion;
+
   struct Domain {
     int first, size, live;  ///< live labels are order_[first .. first + live)
   };
@@ -182,9 +191,19 @@ class Network {
   Cost available(int cell) const { return cost_at(cell) - spent_[static_cast<std::size_t>(cell)]; }
   int new_cells(int count);
   void close_binary(int x, std::vector<int>& function_with);
+  Cost common_divisor() const;
   View view(const BinaryFunction& function, int to) const;
 
-  void set(int cell, Cost cost);
+  void set(int cell, Cost cost) {
+    const auto i = static_cast<std::size_t>(cell);
+    if (saved_at_[i] != stamp_ && !marks_.empty()) {
+      saved_at_[i] = stamp_;
+      saved_costs_.push_back({cell, cost_[i]});
+    }
+    cost_[i] = cost;
+    if (log_ != nullptr) log(cell);
+  }
+  void log(int cell);
   bool fail(int v);
   /// Removes a label that is in no world below the limit, as the costs now show.
   bool strike(int v, int label);
@@ -224,6 +243,15 @@ class Network {
   bool directed_from(int v);
   bool existential(int v);
   bool existential_support(int v, int label);
+  bool turn_to_and_fro(int most_turns, int most_idle);
+
+  bool diffuse(int most_passes, Cost part, int most_idle);
+  bool diffuse(const BinaryFunction& function);
+  bool diffuse(int requirement);
+  void pour_in(int v, int shift_cell, std::size_t first);
+  void pour_out(int v, int shift_cell, std::span<const Cost> got, std::span<const Cost> kept);
+  bool set_idle(const BinaryFunction& function, std::span<Cost> x, std::span<Cost> y);
+  bool strike_forbidden(const BinaryFunction& function);
 
   std::vector<Domain> variable_;
   std::vector<int> order_, position_;
@@ -266,12 +294,15 @@ class Network {
     Cost in, out;  ///< least cost of being counted or not, kTop = cannot
   };
   std::vector<Count> counts_;
+  std::vector<Cost> potentials_;  ///< of labels inside the function that is being looked at
   std::vector<Cost> differences_;
   bool bound_rose_ = false;
   bool shifting_ = true;
+  bool pushing_ = true;  ///< false: costs go from functions to labels only, as when diffusion does the rest
   ProofLog* log_ = nullptr;
   Cost limit_ = kTop;
   Cost least_gain_ = 1;
+  Cost granularity_ = 1;  ///< a common divisor of all finite costs
   int source_ = -1;  ///< constraint whose costs are being moved
   int failed_constraint_ = -1, failed_variable_ = -1;
 };

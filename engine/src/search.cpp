@@ -40,13 +40,13 @@ SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
 
 bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, const Accept& accept) {
   constexpr std::uint64_t kMostBacktracks = 4096;  // of one burst
-  limit_ = limit;
+  limit_ = network_.rounded_limit(limit);
   accept_ = accept;
   open_ = {};
   weight_.assign(static_cast<std::size_t>(network_.variables()), 1.0);
   burst_limit_ = in_order_ || log_ != nullptr ? std::numeric_limits<std::uint64_t>::max() : 1;
   last_failed_ = assumptions.empty() || assumptions.back().equal ? -1 : assumptions.back().variable;
-  open_.push({0, number_++, assumptions});
+  open_.push({network_.bound(), number_++, assumptions});
   Cost reported = 0;
   while (!open_.empty() && open_.top().bound < limit_) {
     if (stopped()) return false;
@@ -80,7 +80,7 @@ bool Search::enter(const std::vector<Decision>& path) {
   network_.set_limit(limit_);
   for (const Decision& decision : path)
     if (!apply(decision)) return false;
-  return network_.strengthen();
+  return network_.strengthen(log_ != nullptr ? Network::Place::root : Network::Place::entered);
 }
 
 /// All variables have one label: is it a better assignment?
@@ -99,7 +99,7 @@ bool Search::leaf(Cost& cost) {
 void Search::round() {
   network_.round(assignment_);
   const Cost cost = network_.evaluate(assignment_);
-  if (cost < limit_) limit_ = accept_(assignment_, cost);
+  if (cost < limit_) limit_ = network_.rounded_limit(accept_(assignment_, cost));
 }
 
 void Search::burst(const Open& open) {
@@ -114,7 +114,7 @@ void Search::burst(const Open& open) {
     if (alive) {
       Cost cost = 0;
       if (leaf(cost)) {
-        if (cost < limit_) limit_ = accept_(assignment_, cost);
+        if (cost < limit_) limit_ = network_.rounded_limit(accept_(assignment_, cost));
         alive = false;
       } else if (rounding_) {
         round();
@@ -137,7 +137,7 @@ void Search::burst(const Open& open) {
       if (log_ != nullptr) log_->assumed(decision.variable, decision.label);
       network_.push();
       network_.set_limit(limit_);
-      alive = apply(decision) && network_.strengthen(1, 1);
+      alive = apply(decision) && network_.strengthen(Network::Place::branch);
       if (!alive) learn_from_failure(decision, static_cast<int>(frames_.size()));
       continue;
     }
@@ -161,7 +161,7 @@ void Search::burst(const Open& open) {
     const Decision other{frame.decision.variable, frame.decision.label, !frame.decision.equal};
     path_.push_back(other);
     network_.set_limit(limit_);
-    alive = apply(other) && network_.strengthen(1, 1);
+    alive = apply(other) && network_.strengthen(Network::Place::branch);
     if (!alive) learn_from_failure(other, static_cast<int>(frames_.size()));
   }
   if (log_ != nullptr) log_->finish();

@@ -218,7 +218,7 @@ TEST(Certificate, ThatNothingIsPossibleNeedsAProofToo) {
 }
 
 TEST(Certificate, StopsAtItsLimitsAndRefusesWhatIsNotProved) {
-  const Problem p = testing::plane_problem(3, {.planes = 30, .truth = 0.0});
+  const Problem p = testing::plane_problem(3, {.planes = 40, .truth = 0.0});
   const Solution solution = Solver(p).solve();
   EXPECT_FALSE(certificate(p, solution, {.limits = {}, .most_bytes = 10000}));
   EXPECT_FALSE(certificate(p, solution, {.limits = {.nodes = 1}}));

@@ -1,0 +1,61 @@
+// What the lower bound is worth: how far from the optimum it is before the first branch, and how many branches that saves.
+#include <gtest/gtest.h>
+
+#include "plane_problem.hpp"
+#include "scenelore/engine/solver.hpp"
+
+namespace scenelore::engine {
+namespace {
+
+using testing::Random;
+
+/// Which pairs of labels clash at which price; nothing else costs anything.
+Problem max_csp(std::uint64_t seed, double price, double first_price) {
+  Random random(seed);
+  Problem problem;
+  const std::vector<std::string> labels{"a", "b", "c", "d"};
+  for (int v = 0; v < 16; ++v) problem.add_variable("v" + std::to_string(v), labels, {0, 0, 0, 0});
+  for (int a = 0; a < 16; ++a)
+    for (int b = a + 1; b < 16; ++b) {
+      if (!random.chance(0.5)) continue;
+      std::vector<double> costs;
+      for (int i = 0; i < 16; ++i) costs.push_back(random.chance(0.4) ? 1 : 0);
+      const bool first = problem.constraints().empty();
+      problem.add("clash", first ? first_price : price, -1, PairTable{a, b, problem.add_table(4, 4, costs)});
+    }
+  return problem;
+}
+
+TEST(Bound, BeforeTheFirstBranchIsNearTheOptimumOfDensePlanes) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = testing::plane_problem(seed, {.planes = 40, .truth = 0});
+    const double optimum = Solver(problem).solve().cost;
+    const double root = Solver(problem, {.limits = {.nodes = 0}}).solve().lower_bound;
+    const double paper = Solver(problem, {.bound = Bound::paper, .limits = {.nodes = 0}}).solve().lower_bound;
+    EXPECT_LE(root, optimum + 1e-6);
+    EXPECT_LE(paper, root);
+    EXPECT_LT(optimum - root, 0.4 * (optimum - paper)) << "root " << root << ", optimum " << optimum;
+  }
+}
+
+TEST(Bound, IsRoundedUpWhenAllCostsAreWhole) {
+  std::uint64_t whole = 0, other = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = max_csp(seed, 1, 1);
+    const Solution a = Solver(problem).solve();
+    const Solution b = Solver(max_csp(seed, 1, 1 + 0x1p-30)).solve();
+    ASSERT_EQ(a.outcome, Outcome::proved);
+    ASSERT_NEAR(a.cost, b.cost, 1e-8);
+    const Solution thirds = Solver(max_csp(seed, 1.0 / 3, 1.0 / 3)).solve();  // multiples of what is no multiple of 2^-40
+    ASSERT_NEAR(3 * thirds.cost, a.cost, 1e-8);
+    ASSERT_EQ(thirds.nodes, a.nodes);
+    whole += a.nodes;
+    other += b.nodes;
+  }
+  EXPECT_LT(whole * 3, other * 2);
+}
+
+}  // namespace
+}  // namespace scenelore::engine
