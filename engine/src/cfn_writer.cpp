@@ -175,6 +175,9 @@ class CfnWriter {
     }
   }
 
+  /// With the decimals of the file, so that twice the weight is twice what the file says.
+  static double rounded(double weight) { return std::isfinite(weight) ? std::round(weight * 1e6) / 1e6 : weight; }
+
   /// A chain of counters: count_i = count_{i−1} + whether variable i has one of the literals.
   void function(const Cardinality& cardinality) {
     std::map<int, std::set<int>> members;
@@ -210,7 +213,7 @@ class CfnWriter {
     for (int n = 0; n <= count; ++n) {
       const double off =
           std::max({0.0, static_cast<double>(cardinality.low) - n, n - static_cast<double>(cardinality.high)});
-      const double cost = off > 0 ? weight_ * off : 0;
+      const double cost = off > 0 ? rounded(weight_) * off : 0;
       std::vector<int> tuple;
       if (cardinality.condition) tuple.push_back(cardinality.condition->label);
       if (counter >= 0) tuple.push_back(n);

@@ -50,32 +50,62 @@ void FileBuilder::add_function(const std::string& name, const std::vector<int>& 
 }
 
 ProblemFile FileBuilder::finish() {
-  for (Variable& variable : variables_) {
-    constant_ += lower_to_zero(variable.costs);
-    problem_.add_variable(variable.name, variable.labels, variable.costs);
+  Auxiliaries auxiliaries = find_auxiliaries(variables_, functions_);
+  constant_ += auxiliaries.constant;
+  for (const auto& [literal, cost] : auxiliaries.charges) variables_[index(literal.variable)].costs[index(literal.label)] += cost;
+  ProblemFile result;
+  in_problem_.assign(variables_.size(), 0);
+  for (const Follower& follower : auxiliaries.followers) in_problem_[index(follower.variable)] = -1;
+  for (std::size_t v = 0; v < variables_.size(); ++v) {
+    Variable& variable = variables_[v];
+    if (in_problem_[v] == 0) {
+      constant_ += lower_to_zero(variable.costs);
+      in_problem_[v] = problem_.add_variable(variable.name, variable.labels, variable.costs);
+    }
+    result.variables.push_back({variable.name, variable.labels, in_problem_[v]});
   }
-  for (const Function& function : functions_) {
+  const auto each = [&](const auto& visit) {
+    for (std::size_t f = 0; f < functions_.size(); ++f)
+      if (auxiliaries.gone[f] == 0) visit(functions_[f]);
+  };
+  each([&](const FileFunction& function) {
     if (function.scope.empty())
       problem_.add_variable(function.name, {"nothing"}, {kHard});
     else if (function.scope.size() > 2)
       add_many(function);
-  }
-  for (const Function& function : functions_)
+  });
+  each([&](const FileFunction& function) {
     if (function.scope.size() == 2) add_pair(function);
-  ProblemFile result{std::move(problem_), variables()};
+  });
+  for (Constraint& constraint : auxiliaries.constraints) add_found(constraint);
+  result.followers = std::move(auxiliaries.followers);
+  result.problem = std::move(problem_);
   result.constant = constant_;
   if (std::isfinite(top_)) result.below = top_ - constant_;
   return result;
 }
 
-void FileBuilder::add_pair(const Function& function) {
+/// From variables of the file to those of the problem.
+void FileBuilder::add_found(Constraint& constraint) {
+  const auto translate = [&](Literal& literal) { literal.variable = in_problem_[index(literal.variable)]; };
+  if (auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+    translate(requirement->literal);
+    for (Support& support : requirement->supports) translate(support.literal);
+  } else if (auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+    if (cardinality->condition) translate(*cardinality->condition);
+    for (Literal& literal : cardinality->literals) translate(literal);
+  }
+  problem_.add(constraint.name, constraint.weight, -1, constraint.body);
+}
+
+void FileBuilder::add_pair(const FileFunction& function) {
   const int a = function.scope[0], b = function.scope[1];
   const int table = problem_.add_table(static_cast<int>(labels(a).size()), static_cast<int>(labels(b).size()), function.costs);
-  problem_.add(function.name, 1, -1, PairTable{a, b, table});
+  problem_.add(function.name, 1, -1, PairTable{in_problem_[index(a)], in_problem_[index(b)], table});
 }
 
 /// A variable whose labels are the allowed tuples, each agreeing with the variables of the scope.
-void FileBuilder::add_many(const Function& function) {
+void FileBuilder::add_many(const FileFunction& function) {
   std::vector<std::vector<int>> tuples;
   std::vector<std::string> names;
   std::vector<double> costs;
@@ -101,7 +131,7 @@ void FileBuilder::add_many(const Function& function) {
     std::vector<double> differs(tuples.size() * columns, 1.0);
     for (std::size_t t = 0; t < tuples.size(); ++t) differs[t * columns + index(tuples[t][i])] = 0;
     const int table = problem_.add_table(static_cast<int>(tuples.size()), static_cast<int>(columns), std::move(differs));
-    problem_.add(function.name, kHard, -1, PairTable{variable, function.scope[i], table});
+    problem_.add(function.name, kHard, -1, PairTable{variable, in_problem_[index(function.scope[i])], table});
   }
 }
 

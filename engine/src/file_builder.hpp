@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "auxiliary.hpp"
 #include "scenelore/engine/problem_file.hpp"
 
 namespace scenelore::engine {
@@ -24,19 +25,16 @@ class FileBuilder {
   ProblemFile finish();
 
  private:
-  struct Function {
-    std::string name;
-    std::vector<int> scope;
-    std::vector<double> costs;
-  };
-  void add_pair(const Function& function);
-  void add_many(const Function& function);
+  void add_found(Constraint& constraint);
+  void add_pair(const FileFunction& function);
+  void add_many(const FileFunction& function);
 
   double top_ = kHard;
   double constant_ = 0;
   std::vector<Variable> variables_;
-  std::vector<Function> functions_;  ///< of two and more variables
+  std::vector<FileFunction> functions_;  ///< of two and more variables
   Problem problem_;
+  std::vector<int> in_problem_;  ///< of each variable; −1 = it follows from others
 };
 
 }  // namespace scenelore::engine

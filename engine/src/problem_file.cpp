@@ -1,5 +1,6 @@
 #include "scenelore/engine/problem_file.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <istream>
 #include <iterator>
@@ -8,6 +9,35 @@
 #include "scenelore/engine/error.hpp"
 
 namespace scenelore::engine {
+
+namespace {
+
+int label_of(const Follower& follower, const std::vector<int>& labels) {
+  const auto holds = [&](const Literal& literal) { return labels[static_cast<std::size_t>(literal.variable)] == literal.label; };
+  if (follower.counted) {
+    const int before = follower.before < 0 ? 0 : labels[static_cast<std::size_t>(follower.before)];
+    return before + static_cast<int>(std::count_if(follower.counted->begin(), follower.counted->end(), holds));
+  }
+  int best = follower.otherwise;
+  double least = follower.weight;
+  if (!holds(follower.owner)) return follower.idle;
+  for (const Follower::Choice& choice : follower.choices) {
+    if (!holds(choice.when) || choice.cost >= least) continue;
+    least = choice.cost;
+    best = choice.label;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<int> ProblemFile::in_file(const std::vector<int>& assignment) const {
+  std::vector<int> labels;
+  for (const FileVariable& variable : variables)
+    labels.push_back(variable.in_problem < 0 ? -1 : assignment[static_cast<std::size_t>(variable.in_problem)]);
+  for (const Follower& follower : followers) labels[static_cast<std::size_t>(follower.variable)] = label_of(follower, labels);
+  return labels;
+}
 
 ProblemFile read_problem(std::istream& in, const std::string& name, FileFormat format) {
   std::string content{std::istreambuf_iterator<char>(in), {}};

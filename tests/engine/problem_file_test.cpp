@@ -40,7 +40,7 @@ const char* const kTwo = R"({"problem":{"name":"two","mustbe":"<100.0"},
 
 TEST(CfnFile, NamesAndNumbersOfLabelsMeanTheSame) {
   const ProblemFile file = read(kTwo, FileFormat::cfn);
-  ASSERT_EQ(file.variables, 2);
+  ASSERT_EQ(file.variables.size(), 2u);
   EXPECT_EQ(file.problem.variables()[1].labels[2], "z");
   EXPECT_NEAR(best_of(file), 2, 1e-9);
 }
@@ -131,11 +131,44 @@ TEST(ProblemFiles, WithDamagedBytesAreRefusedOrReadButNeverCrash) {
           alphabet[static_cast<std::size_t>(random.below(static_cast<int>(alphabet.size())))];
     try {
       const ProblemFile file = read(text, FileFormat::cfn);
-      EXPECT_GE(file.variables, 0);
+      EXPECT_GE(file.variables.size(), 0u);
     } catch (const FileError&) {
     } catch (const Error&) {
     }
   }
+}
+
+TEST(ProblemFiles, ThatWeWroteHaveTheirRequirementsAndCardinalitiesBack) {
+  Problem problem;
+  for (int v = 0; v < 4; ++v) problem.add_variable("v" + std::to_string(v), {"a", "b", "c"}, {0.5, 0.25 * v, 1});
+  problem.add("needs", kHard, -1, Requirement{{0, 1}, {{{1, 0}, 0.125}, {{1, 2}, 0}, {{3, 0}, 0.75}}});
+  problem.add("should have", 1.5, -1, Requirement{{2, 0}, {{{0, 0}, 0}, {{3, 1}, 0}}});
+  problem.add("at most one", 0.3333333, -1, Cardinality{{}, {{0, 0}, {1, 0}, {2, 0}, {3, 0}}, 0, 1});
+  problem.add("one or two", kHard, -1, Cardinality{Literal{3, 2}, {{0, 1}, {1, 1}, {1, 2}, {2, 1}}, 1, 2});
+  std::stringstream text;
+  write_cfn(problem, text);
+  const ProblemFile file = read_problem(text, "problem", FileFormat::cfn);
+  EXPECT_EQ(file.variables.size(), 4u + 2 + 7);
+  EXPECT_EQ(file.followers.size(), 9u);
+  ASSERT_EQ(file.problem.variables().size(), 4u);
+  ASSERT_EQ(file.problem.constraints().size(), 4u);
+  int requirements = 0, cardinalities = 0;
+  for (const Constraint& constraint : file.problem.constraints()) {
+    if (const auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+      ++requirements;
+      EXPECT_EQ(requirement->supports.size(), (requirement->literal == Literal{0, 1} ? 3u : 2u));
+    }
+    if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+      ++cardinalities;
+      EXPECT_EQ(cardinality->literals.size(), 4u);
+      EXPECT_EQ(cardinality->condition, (cardinality->low == 1 ? std::optional(Literal{3, 2}) : std::nullopt));
+    }
+  }
+  EXPECT_EQ(requirements, 2);
+  EXPECT_EQ(cardinalities, 2);
+  EXPECT_NEAR(Solver(file.problem).solve().cost + file.constant, Solver(problem).solve().cost, 1e-5);
+  // v0 = b is held up by v1 = c, its cheapest support there; two of {v0 = b, v1 = b or c, v2 = b}.
+  EXPECT_EQ(file.in_file({1, 2, 2, 2}), (std::vector<int>{1, 2, 2, 2, 2, 0, 0, 0, 0, 0, 1, 2, 2}));
 }
 
 }  // namespace

@@ -111,10 +111,9 @@ class SolveCommand : public Command {
     if (!verified) out["nodes"] = solution.nodes;
     if (!verified) out["seconds"] = solution.seconds;
     out["assignment"] = nlohmann::ordered_json::object();
-    for (int v = 0; any && v < file.variables; ++v) {
-      const engine::Variable& variable = file.problem.variables()[static_cast<std::size_t>(v)];
-      out["assignment"][variable.name] = variable.labels[static_cast<std::size_t>(solution.assignment[static_cast<std::size_t>(v)])];
-    }
+    const std::vector<int> labels = any ? file.in_file(solution.assignment) : std::vector<int>();
+    for (std::size_t v = 0; v < labels.size(); ++v)
+      out["assignment"][file.variables[v].name] = file.variables[v].labels[static_cast<std::size_t>(labels[v])];
     if (json_) {
       fmt::print("{}\n", out.dump(2));
       return;
