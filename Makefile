@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench experiments table1 relabel rules_bench knowledge nightly asan clean
+.PHONY: demo test build bench engine_bench experiments table1 relabel segmentation_bench rules_bench knowledge nightly asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -31,6 +31,12 @@ experiments: bench
 # Time of `scenelore label` after one changed row and after one edited rule, on nine simulated rooms.
 relabel: bench
 	build/bench/bin/relabel
+
+# Segmentation beside PCL and CGAL on simulated rooms; OPTIONS="--scans FOLDER" for real scans, --only NAME for some methods.
+OPTIONS ?=
+segmentation_bench: bench
+	cmake --build --preset bench -j $(JOBS) --target segmentation_bench
+	build/bench/bin/segmentation_bench $(OPTIONS)
 
 # What a relation costs: one call into Lua, and whole buildings with every built-in relation.
 rules_bench: bench

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace scenelore::experiment {
 namespace {
@@ -77,6 +78,41 @@ SegmentationScore score_segmentation(const simulator::SimulatedScan& scan, const
       const double cosine = std::min(1.0, std::abs(spread[plane].normal().dot(object->normal)));
       score.normal_errors.push_back(std::acos(cosine) * 180 / std::numbers::pi);
     }
+  }
+  return score;
+}
+
+InstanceScore score_instances(const perception::PointTable& table, const std::vector<std::int32_t>& plane_of_point) {
+  // wall, floor, ceiling, table, desk, door, whiteboard, bookshelf, cabinet, sofa, counter, column, partition
+  static const std::set<int> kPlanar{1, 2, 3, 4, 5, 9, 11, 12, 13, 14, 22, 28, 35};
+  constexpr double kFewest = 300;
+  InstanceScore score;
+  score.planes = static_cast<int>(std::set<std::int32_t>(plane_of_point.begin(), plane_of_point.end()).size());
+  if (std::find(plane_of_point.begin(), plane_of_point.end(), -1) != plane_of_point.end()) --score.planes;
+  const perception::Column* const instance = table.find("instance");
+  const perception::Column* const label = table.find("label");
+  if (instance == nullptr || label == nullptr) return score;
+  std::map<int, std::map<int, double>> labels;             // of each instance
+  std::map<int, std::map<std::int32_t, double>> planes;    // that hold points of each instance
+  std::map<std::int32_t, double> labelled;                 // points of each plane on instances
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    const int object = static_cast<int>(table.value(*instance, i));
+    if (object <= 0) continue;
+    labels[object][static_cast<int>(table.value(*label, i))] += 1;
+    if (plane_of_point[i] >= 0) planes[object][plane_of_point[i]] += 1, labelled[plane_of_point[i]] += 1;
+  }
+  const auto most = [](const auto& counts) {
+    return *std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  };
+  for (const auto& [object, of_label] : labels) {
+    double points = 0;
+    for (const auto& [id, n] : of_label) points += n;
+    if (points < kFewest || !kPlanar.contains(most(of_label).first)) continue;
+    ++score.instances;
+    if (planes[object].empty()) continue;
+    const auto [plane, own] = most(planes[object]);
+    const double share = std::min(own / points, own / labelled[plane]);
+    score.found += share >= 0.5, score.well += share >= 0.8;
   }
   return score;
 }
