@@ -22,7 +22,7 @@ constexpr double kFewestToGrow = 12;    // points of a region while it is still 
 
 // Points of a voxel at most that planes are found by: they tell as much as all, to the noise over their square root. A
 // scene of few voxels is one of small things, which need more.
-constexpr std::int64_t kFewestSampled = 12, kMostSampled = 64, kWantedSample = 300'000;
+constexpr std::int64_t kFewestSampled = 8, kMostSampled = 64, kWantedSample = 300'000;
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -59,6 +59,7 @@ class Finder {
   }
   void grow_finest(const SegmentationParameters& parameters);
   void grow_coarser();
+  void merge();
   void assign();
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
@@ -91,6 +92,7 @@ void Finder::grow_finest(const SegmentationParameters& parameters) {
 /// What is sparse at one scale is a surface at a wider one: grows regions from the points that no plane has yet. A finest
 /// voxel's free points are taken together, by the plane of its cube or of one beside it.
 void Finder::grow_coarser() {
+  begin("coarser growing");
   Coarser free;
   std::vector<std::uint32_t> cube;     // of each finest voxel, on the level at hand
   std::vector<Moments> left(voxels_.grid.count());
@@ -128,6 +130,7 @@ void Finder::grow_coarser() {
 
 /// A pass over the sample: each point goes to the nearest of the planes around it.
 void Finder::assign() {
+  begin("assignment");
   AssignRule rule;
   rule.unit = rule.reach = tolerances(planes_, found_.limits);
   const Candidates candidates = candidates_around(voxels_.grid, slots_, planes_, rule.reach, found_.limits.max_neighbours, threads_);
@@ -135,26 +138,22 @@ void Finder::assign() {
   refit(slots_, planes_);
 }
 
-FoundRegions Finder::run() {
-  const double third = found_.limits.max_plane_distance / 3;
-  begin("assignment");
-  assign();
-  begin("coarser growing");
-  grow_coarser();
-  for (int round = 0; round < 2; ++round) {
-    begin("merging");
-    merge_regions(pyramid_, third, slots_, planes_);
-    absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
-    begin("assignment");
-    assign();
-  }
+/// Pieces of one plane become one; what a larger plane explains goes to it.
+void Finder::merge() {
   begin("merging");
-  merge_regions(pyramid_, third, slots_, planes_);
+  merge_regions(pyramid_, found_.limits.max_plane_distance / 3, slots_, planes_);
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
-  bridge_shadows(third, kLargePlane, slots_, planes_);
+}
+
+FoundRegions Finder::run() {
+  assign();
+  grow_coarser();
+  merge();
+  assign();
+  merge();
+  bridge_shadows(found_.limits.max_plane_distance / 3, kLargePlane, slots_, planes_);
   begin("clutter");
   drop_clutter(voxels_.grid, surfaces_, slots_, planes_);
-  begin("assignment");
   assign();  // what clutter held may belong to what is left
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
