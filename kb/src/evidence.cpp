@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "likelihood.hpp"
@@ -34,7 +35,6 @@ class Model {
   [[nodiscard]] const std::vector<FeatureModel>& features() const { return features_; }
 
  private:
-  [[nodiscard]] std::vector<Likelihood> likelihoods(const Knowledge& knowledge, const Feature& feature, double outlier_share) const;
   std::vector<double> log_priors_;
   std::vector<FeatureModel> features_;  // used ones: weight above 0 and a column in the table
 };
@@ -56,33 +56,50 @@ std::vector<double> log_priors(const Knowledge& knowledge) {
   return result;
 }
 
+/// What the knowledge says about one feature, by class.
+struct OfFeature {
+  std::vector<const ClassFeature*> gaussians;
+  std::vector<std::vector<const ClassDensity*>> bins;
+};
+
+/// One pass over the rows, of which there are thousands.
+std::map<std::string_view, OfFeature> rows_by_feature(const Knowledge& knowledge) {
+  std::map<std::string_view, std::size_t> number;
+  for (std::size_t c = 0; c < knowledge.classes.size(); ++c) number[knowledge.classes[c].name] = c;
+  std::map<std::string_view, OfFeature> out;
+  for (const Feature& feature : knowledge.features) out[feature.name] = {std::vector<const ClassFeature*>(number.size()), std::vector<std::vector<const ClassDensity*>>(number.size())};
+  for (const ClassFeature& row : knowledge.class_features) {
+    const auto feature = out.find(row.feature);
+    const auto object_class = number.find(row.object_class);
+    if (feature != out.end() && object_class != number.end()) feature->second.gaussians[object_class->second] = &row;
+  }
+  const ClassDensity* previous = nullptr;
+  std::vector<const ClassDensity*>* bins = nullptr;
+  for (const ClassDensity& row : knowledge.class_densities) {
+    if (previous == nullptr || previous->feature != row.feature || previous->object_class != row.object_class) {
+      const auto feature = out.find(row.feature);
+      const auto object_class = number.find(row.object_class);
+      bins = feature == out.end() || object_class == number.end() ? nullptr : &feature->second.bins[object_class->second];
+    }
+    if (bins != nullptr) bins->push_back(&row);
+    previous = &row;
+  }
+  return out;
+}
+
 Model::Model(const Knowledge& knowledge, const FeatureTable& table) : log_priors_(log_priors(knowledge)) {
   const double outlier_share = std::strtod(knowledge.setting("outlier_share", "0").c_str(), nullptr);
+  std::map<std::string_view, OfFeature> rows = rows_by_feature(knowledge);
   for (const Feature& feature : knowledge.features) {
     const auto column = std::find(table.names.begin(), table.names.end(), feature.name);
     if (column == table.names.end() || feature.weight <= 0) continue;
-    features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()),
-                         likelihoods(knowledge, feature, outlier_share)});
+    features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()), {}});
+    OfFeature& of = rows.at(feature.name);
+    for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
+      std::sort(of.bins[c].begin(), of.bins[c].end(), [](const ClassDensity* a, const ClassDensity* b) { return a->low < b->low; });
+      features_.back().likelihoods.emplace_back(feature, of.gaussians[c], of.bins[c], outlier_share);
+    }
   }
-}
-
-std::vector<Likelihood> Model::likelihoods(const Knowledge& knowledge, const Feature& feature, double outlier_share) const {
-  std::map<std::string, const ClassFeature*> gaussians;
-  std::map<std::string, std::vector<ClassDensity>> bins;
-  for (const ClassFeature& row : knowledge.class_features) {
-    if (row.feature == feature.name) gaussians[row.object_class] = &row;
-  }
-  for (const ClassDensity& row : knowledge.class_densities) {
-    if (row.feature == feature.name) bins[row.object_class].push_back(row);
-  }
-  std::vector<Likelihood> result;
-  for (const ObjectClass& c : knowledge.classes) {
-    std::vector<ClassDensity>& of_class = bins[c.name];
-    std::sort(of_class.begin(), of_class.end(), [](const auto& a, const auto& b) { return a.low < b.low; });
-    const auto gaussian = gaussians.find(c.name);
-    result.emplace_back(feature, gaussian == gaussians.end() ? nullptr : gaussian->second, of_class, outlier_share);
-  }
-  return result;
 }
 
 // Equation (3).
@@ -91,7 +108,8 @@ std::vector<double> Model::product(const std::vector<double>& values) const {
   for (const FeatureModel& model : features_) {
     const double value = values[model.column];
     if (std::isnan(value)) continue;
-    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(value);
+    const double scaled = on_scale(*model.feature, value);
+    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(value, scaled);
   }
   return normalised(std::move(logs));
 }

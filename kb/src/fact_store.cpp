@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -43,11 +44,97 @@ std::map<std::string, RelationAsked> read_asked(const Database& database, ScanId
   return out;
 }
 
-/// The rows of one relation, in the order in which they were written: by a and b.
-std::vector<RelationFact> read_facts(Statement& select, ScanId scan, const std::string& relation) {
-  std::vector<RelationFact> out;
+struct StoredFact {
+  std::int64_t id = 0;
+  PlaneId a = 0, b = 0;
+  double degree = 0;
+};
+
+/// The rows of one relation of a scan, by a and b. Rows that were written together have neighbouring ids: those are read one
+/// after another instead of by the index.
+class FactReader {
+ public:
+  explicit FactReader(const Database& database)
+      : ends_(database.prepare("SELECT (SELECT min(id) FROM relation_fact WHERE scan_id = ?1 AND relation = ?2), "
+                               "(SELECT max(id) FROM relation_fact WHERE scan_id = ?1 AND relation = ?2)")),
+        together_(database.prepare("SELECT id, a, b, degree FROM relation_fact NOT INDEXED "
+                                   "WHERE id BETWEEN ?3 AND ?4 AND scan_id = ?1 AND relation = ?2 ORDER BY id")),
+        apart_(database.prepare("SELECT id, a, b, degree FROM relation_fact WHERE scan_id = ? AND relation = ? ORDER BY id")) {}
+
+  std::vector<StoredFact> read(ScanId scan, const std::string& relation, std::int64_t expected) {
+    std::int64_t first = 0, last = 0;
+    {
+      auto row = ends_.use();
+      if (!row(scan)(relation).next() || row.is_null(0)) return {};
+      first = row.integer(0), last = row.integer(1);
+    }
+    const bool together = last - first < 2 * expected;
+    auto row = (together ? together_ : apart_).use();
+    row(scan)(relation);
+    if (together) row(first)(last);
+    std::vector<StoredFact> out;
+    out.reserve(static_cast<std::size_t>(expected));
+    while (row.next()) out.push_back({row.integer(0), row.integer(1), row.integer(2), row.real(3)});
+    const auto before = [](const StoredFact& f, const StoredFact& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); };
+    if (!std::is_sorted(out.begin(), out.end(), before)) std::sort(out.begin(), out.end(), before);
+    return out;
+  }
+
+ private:
+  Statement ends_, together_, apart_;
+};
+
+/// Writes what differs: most facts of an edited rule are those of the one before.
+class FactWriter {
+ public:
+  FactWriter(Database& database, ScanId scan)
+      : scan_(scan), reader_(database), remove_(database.prepare("DELETE FROM relation_fact WHERE id = ?")),
+        update_(database.prepare("UPDATE relation_fact SET degree = ? WHERE id = ?")),
+        insert_(database.prepare("INSERT INTO relation_fact (scan_id, relation, a, b, degree) VALUES (?, ?, ?, ?, ?)")) {}
+
+  /// `facts` by a and b.
+  void replace(const std::string& relation, Facts facts) {
+    const std::vector<StoredFact> stored = reader_.read(scan_, relation, static_cast<std::int64_t>(facts.size()));
+    std::vector<const RelationFact*> fresh;
+    std::size_t i = 0;
+    for (const StoredFact& old : stored) {
+      const auto key = std::pair(old.a, old.b);
+      for (; i < facts.size() && std::pair(facts[i].a, facts[i].b) < key; ++i) fresh.push_back(&facts[i]);
+      if (i < facts.size() && std::pair(facts[i].a, facts[i].b) == key) {
+        if (facts[i].degree != old.degree) update_.use()(facts[i].degree)(old.id).run();
+        ++i;
+      } else {
+        remove_.use()(old.id).run();
+      }
+    }
+    for (; i < facts.size(); ++i) fresh.push_back(&facts[i]);
+    for (const RelationFact* fact : fresh) insert_.use()(scan_)(relation)(fact->a)(fact->b)(fact->degree).run();
+  }
+
+ private:
+  ScanId scan_;
+  FactReader reader_;
+  Statement remove_, update_, insert_;
+};
+
+/// Relations of which the scan has facts, each found by one step along the index.
+std::vector<std::string> relations_with_facts(const Database& database, ScanId scan) {
+  Statement select = database.prepare(
+      "WITH RECURSIVE name(n) AS (SELECT min(relation) FROM relation_fact WHERE scan_id = ?1 UNION ALL "
+      "SELECT (SELECT min(relation) FROM relation_fact WHERE scan_id = ?1 AND relation > n) FROM name WHERE n IS NOT NULL) "
+      "SELECT n FROM name WHERE n IS NOT NULL");
+  std::vector<std::string> out;
   auto row = select.use();
-  for (row(scan)(relation); row.next();) out.push_back({relation, row.integer(0), row.integer(1), row.real(2)});
+  for (row(scan); row.next();) out.push_back(row.text(0));
+  return out;
+}
+
+/// The facts of each relation, by a and b.
+std::map<std::string, std::vector<RelationFact>> by_relation(const std::vector<RelationFact>& facts) {
+  std::map<std::string, std::vector<RelationFact>> out;
+  for (const RelationFact& fact : facts) out[fact.relation].push_back(fact);
+  const auto before = [](const RelationFact& f, const RelationFact& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); };
+  for (auto& [relation, list] : out) std::sort(list.begin(), list.end(), before);
   return out;
 }
 
@@ -68,40 +155,27 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
   const bool all = std::all_of(before.begin(), before.end(), [&](const auto& row) { return kept(row.first); });
   if (all && before.size() == inference.asked.size() && !before.empty()) return;
 
-  Statement stored = database.prepare("SELECT DISTINCT relation FROM relation_fact WHERE scan_id = ? UNION "
-                                      "SELECT relation FROM relation_asked WHERE scan_id = ?1");
-  Statement remove = database.prepare("DELETE FROM relation_fact WHERE scan_id = ? AND relation = ?");
-  Statement forget = database.prepare("DELETE FROM relation_asked WHERE scan_id = ? AND relation = ?");
-  std::vector<std::string> gone;
-  {
-    auto row = stored.use();
-    for (row(scan); row.next();) gone.push_back(row.text(0));
+  std::map<std::string, std::vector<RelationFact>> wanted;  // of the relations that were asked anew
+  std::vector<RelationFact> anew;
+  std::copy_if(inference.facts.begin(), inference.facts.end(), std::back_inserter(anew), [&](const RelationFact& f) { return !kept(f.relation); });
+  wanted = by_relation(anew);
+  for (const std::string& relation : relations_with_facts(database, scan)) {
+    if (!kept(relation)) wanted.try_emplace(relation);
   }
-  std::erase_if(gone, kept);
-  for (const std::string& relation : gone) {
-    remove.use()(scan)(relation).run();
-    forget.use()(scan)(relation).run();
-  }
+  FactWriter writer(database, scan);
+  for (const auto& [relation, facts] : wanted) writer.replace(relation, facts);
 
-  Statement insert = database.prepare("INSERT INTO relation_fact (scan_id, relation, a, b, degree) VALUES (?, ?, ?, ?, ?)");
-  for (std::size_t i = 0; i < inference.facts.size();) {
-    const std::string& relation = inference.facts[i].relation;
-    const bool leave = kept(relation);
-    for (; i < inference.facts.size() && inference.facts[i].relation == relation; ++i) {
-      const RelationFact& fact = inference.facts[i];
-      if (!leave) insert.use()(scan)(fact.relation)(fact.a)(fact.b)(fact.degree).run();
-    }
+  Statement forget = database.prepare("DELETE FROM relation_asked WHERE scan_id = ? AND relation = ?");
+  for (const auto& [relation, asked] : before) {
+    if (!kept(relation)) forget.use()(scan)(relation).run();
   }
   Statement note = database.prepare(
       "INSERT INTO relation_asked (scan_id, relation, asked, held, within, within_plan, inputs_sha256, facts_sha256) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [relation, asked] : inference.asked) {
     if (kept(relation)) continue;
-    const auto begin = std::find_if(inference.facts.begin(), inference.facts.end(),
-                                    [&](const RelationFact& f) { return f.relation == relation; });
-    const auto end = std::find_if(begin, inference.facts.end(), [&](const RelationFact& f) { return f.relation != relation; });
     note.use()(scan)(relation)(asked.asked)(asked.held)(limit(asked.within))(limit(asked.within_plan))(asked.inputs_sha256)(
-        digest({begin, end})).run();
+        digest(wanted[relation])).run();
   }
 }
 
@@ -129,9 +203,11 @@ StoredGeometry KnowledgeBase::pair_geometry(ScanId scan) const {
 std::map<std::string, StoredFacts> KnowledgeBase::facts(ScanId scan) const {
   const Database& database = implementation_->database;
   std::map<std::string, StoredFacts> out;
-  Statement select = database.prepare("SELECT a, b, degree FROM relation_fact WHERE scan_id = ? AND relation = ? ORDER BY id");
+  FactReader reader(database);
   for (auto& [relation, asked] : read_asked(database, scan)) {
-    StoredFacts stored{asked, read_facts(select, scan, relation)};
+    StoredFacts stored{asked, {}};
+    stored.facts.reserve(static_cast<std::size_t>(asked.held));
+    for (const StoredFact& row : reader.read(scan, relation, asked.held)) stored.facts.push_back({relation, row.a, row.b, row.degree});
     if (digest(stored.facts) == asked.facts_sha256) out.emplace(relation, std::move(stored));
   }
   return out;

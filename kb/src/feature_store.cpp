@@ -27,22 +27,21 @@ std::vector<std::string> catalogue(const Database& database) {
   return names;
 }
 
-bool same_value(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
-// Whether `stored` holds just the given columns of `given`, and nothing else.
-bool same_values(const FeatureTable& stored, const FeatureTable& given, const std::vector<std::size_t>& columns) {
-  std::size_t found = 0;
-  for (const std::size_t column : columns) {
-    const auto name = std::find(stored.names.begin(), stored.names.end(), given.names[column]);
-    const auto at = static_cast<std::size_t>(name - stored.names.begin());
-    const bool known = name != stored.names.end();
-    found += known ? 1 : 0;
-    for (std::size_t p = 0; p < given.values.size(); ++p) {
-      const double value = known ? stored.values[p][at] : std::numeric_limits<double>::quiet_NaN();
-      if (!same_value(value, given.values[p][column])) return false;
+// Whether the rows of these planes hold just the given columns of `given`, and nothing else.
+bool same_values(const Database& database, const std::vector<PlaneId>& planes, const FeatureTable& given, std::vector<std::size_t> columns) {
+  std::sort(columns.begin(), columns.end(), [&](std::size_t a, std::size_t b) { return given.names[a] < given.names[b]; });
+  Statement select = database.prepare("SELECT feature, value FROM plane_feature WHERE plane_id = ? ORDER BY feature");
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    auto row = select.use();
+    row(planes[p]);
+    for (const std::size_t column : columns) {
+      const double value = given.values[p][column];
+      if (std::isnan(value)) continue;
+      if (!row.next() || row.view(0) != given.names[column] || row.real(1) != value) return false;
     }
+    if (row.next()) return false;
   }
-  return found == stored.names.size();
+  return true;
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ void KnowledgeBase::store_features(const std::vector<PlaneId>& planes, const Fea
   for (std::size_t f = 0; f < features.names.size(); ++f) {
     if (std::binary_search(known.begin(), known.end(), features.names[f])) columns.push_back(f);
   }
-  if (same_values(this->features(planes), features, columns)) return;  // relabelling: nothing to write
+  if (same_values(database, planes, features, columns)) return;  // relabelling: nothing to write
   Transaction transaction(database);
   Statement remove = database.prepare("DELETE FROM plane_feature WHERE plane_id = ?");
   Statement insert = database.prepare("INSERT INTO plane_feature (plane_id, feature, value) VALUES (?, ?, ?)");

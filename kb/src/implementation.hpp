@@ -18,6 +18,7 @@ struct KnowledgeBase::Implementation {
     Knowledge knowledge;
   };
   std::optional<Read> read;  ///< whoever writes knowledge tables through this connection resets it
+  const Knowledge& knowledge();  ///< read and checked when it is not at hand; until the next change
 };
 
 }  // namespace scenelore::kb

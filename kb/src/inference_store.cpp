@@ -43,7 +43,7 @@ void replace_evidence(Database& database, ScanId scan, const Inference& inferenc
       "SELECT id, probability, plane_id, class FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?) ORDER BY id");
   Statement update = database.prepare("UPDATE evidence SET probability = ? WHERE id = ?");
   const auto matches = [&](const Statement::Use& row, std::size_t i) {
-    return row.integer(2) == inference.planes[i / classes] && row.text(3) == inference.classes[i % classes];
+    return row.integer(2) == inference.planes[i / classes] && row.view(3) == inference.classes[i % classes];
   };
   const auto value = [&](std::size_t i) { return inference.evidence[i / classes][i % classes]; };
   const std::size_t wanted = inference.planes.size() * classes;

@@ -134,20 +134,20 @@ KnowledgeBase KnowledgeBase::open(const fs::path& path, Access access) {
   return KnowledgeBase(std::move(implementation));
 }
 
-Knowledge KnowledgeBase::knowledge() const {
-  const Database& database = implementation_->database;
+const Knowledge& KnowledgeBase::Implementation::knowledge() {
   Statement pragma = database.prepare("PRAGMA data_version");
   auto row = pragma.use();
   const std::int64_t version = row.next() ? row.integer(0) : 0;
-  std::optional<Implementation::Read>& read = implementation_->read;
   if (!read || read->version != version) {
     read.reset();
-    Knowledge knowledge = read_knowledge(database);
-    validate(knowledge, database.name());
-    read = {version, std::move(knowledge)};
+    Knowledge fresh = read_knowledge(database);
+    validate(fresh, database.name());
+    read = {version, std::move(fresh)};
   }
   return read->knowledge;
 }
+
+Knowledge KnowledgeBase::knowledge() const { return implementation_->knowledge(); }
 
 // Within the caller's transaction.
 void KnowledgeBase::apply_within(const std::string& sql, const std::string& source) {
@@ -215,6 +215,6 @@ std::optional<std::string> KnowledgeBase::undo_knowledge() {
   return what;
 }
 
-std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(knowledge()); }
+std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(implementation_->knowledge()); }
 
 }  // namespace scenelore::kb

@@ -29,24 +29,39 @@ class Likelihood {
   /// density and μ, σ the class's Gaussian; without a Gaussian, on circles, u alone.   (1)
   /// After Tukey 1960, A survey of sampling from contaminated distributions (his k is 3): other rooms and other sensors
   /// than those learned from stray near the usual values more often than far from them.
-  Likelihood(const Feature& feature, const ClassFeature* gaussian, std::vector<ClassDensity> bins, double outlier_share);
+  /// `bins` by low.
+  Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share);
 
-  [[nodiscard]] double log_density(double value) const;
+  [[nodiscard]] double log_density(double value) const { return log_density(value, on_scale(*feature_, value)); }
+  /// The same for callers that ask many classes about one value: `scaled` = on_scale(feature, value).
+  [[nodiscard]] double log_density(double value, double scaled) const;
   /// NaN where no Gaussian decides.
   [[nodiscard]] double mean() const { return mean_; }
   [[nodiscard]] double sigma() const { return sigma_; }
 
  private:
-  [[nodiscard]] double log_own(double value) const;
-  [[nodiscard]] double log_outlier(double value) const;
-  [[nodiscard]] double log_gaussian(double value) const;
+  struct Bin {
+    double low, high, log_density;
+  };
+  /// ln N(μ + distance; μ, σ), the constant part of the logarithm computed once.
+  struct LogNormal {
+    double sigma = std::numeric_limits<double>::quiet_NaN(), log_scale = sigma;
+    LogNormal() = default;
+    explicit LogNormal(double s);
+    [[nodiscard]] double operator()(double distance) const;
+  };
+
+  [[nodiscard]] double log_own(double value, double scaled) const;
+  [[nodiscard]] double log_outlier(double scaled) const;
+  [[nodiscard]] double log_gaussian(double scaled) const;
   [[nodiscard]] double log_histogram(double value) const;
 
   const Feature* feature_;
   double mean_ = std::numeric_limits<double>::quiet_NaN(), sigma_ = mean_;
-  std::vector<ClassDensity> bins_;  // by low
-  double tail_mean_ = mean_, tail_sigma_ = mean_;  // NaN: none
-  double log_uniform_, outlier_share_;
+  LogNormal normal_, tail_;  // of sigma NaN: none
+  std::vector<Bin> bins_;    // by low
+  double tail_mean_ = mean_;
+  double log_uniform_, outlier_share_, log_inlier_share_, log_outlier_share_;
 };
 
 /// ln(eᵃ + eᵇ) without overflow.

@@ -135,11 +135,13 @@ double Statement::Use::real(int column) const {
   return sqlite3_column_double(statement_->statement_.get(), column);
 }
 
-std::string Statement::Use::text(int column) const {
+std::string_view Statement::Use::view(int column) const {
   const auto* const bytes = sqlite3_column_text(statement_->statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_->statement_.get(), column));
-  return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes), size);
+  return bytes == nullptr ? std::string_view() : std::string_view(reinterpret_cast<const char*>(bytes), size);
 }
+
+std::string Statement::Use::text(int column) const { return std::string(view(column)); }
 
 std::span<const std::byte> Statement::Use::blob(int column) const {
   const auto* const bytes = static_cast<const std::byte*>(sqlite3_column_blob(statement_->statement_.get(), column));
@@ -156,7 +158,8 @@ std::optional<double> Statement::Use::optional_real(int column) const {
 
 Database::Database(const std::filesystem::path& path, OpenMode mode) : name_(path.string()) {
   const std::string target = mode == OpenMode::immutable ? immutable_uri(name_) : name_;
-  const int code = sqlite3_open_v2(target.c_str(), &handle_, flags_of(mode), nullptr);
+  // One thread at a time uses a database, so SQLite need not lock at every column it reads.
+  const int code = sqlite3_open_v2(target.c_str(), &handle_, flags_of(mode) | SQLITE_OPEN_NOMUTEX, nullptr);
   try {
     if (code != SQLITE_OK) fail(code, "");
     sqlite3_extended_result_codes(handle_, 1);

@@ -69,6 +69,7 @@ class Statement {
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] double real(int column) const;
     [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] std::string_view view(int column) const;  ///< the same, only until the next row
     [[nodiscard]] std::span<const std::byte> blob(int column) const;
     [[nodiscard]] int type(int column) const;  ///< SQLITE_INTEGER, …
     [[nodiscard]] std::optional<std::string> optional_text(int column) const;

@@ -108,7 +108,7 @@ TEST(KnowledgeBase, StoresTheInferenceAndReplacesItAsAWhole) {
   std::swap(inference.facts[1].a, inference.facts[1].b);
   base.store_inference(scan, inference);
   EXPECT_THAT(ask(base, "SELECT probability FROM evidence WHERE plane_id = 3 AND class = 'table'"), ElementsAre("0.6"));
-  EXPECT_THAT(ask(base, "SELECT a, b, degree FROM relation_fact WHERE relation = 'near'"), ElementsAre("1|2|0.25", "3|2|0.5", "3|4|0.5"));
+  EXPECT_THAT(ask(base, "SELECT a, b, degree FROM relation_fact WHERE relation = 'near' ORDER BY a, b"), ElementsAre("1|2|0.25", "3|2|0.5", "3|4|0.5"));
   inference.labels.clear();
   inference.alternatives.clear();
   inference.reasons.clear();
@@ -151,6 +151,35 @@ TEST(KnowledgeBase, HandsOutFactsUntilSomebodyChangesThem) {
   Database(folder / "office.gpkg", OpenMode::read_write).execute("UPDATE relation_fact SET degree = 0.9 WHERE a = 1");
   EXPECT_FALSE(base.facts(scan).contains("near"));
   EXPECT_TRUE(base.facts(scan).contains("above"));
+}
+
+TEST(KnowledgeBase, WritesOfARelationOnlyTheFactsThatDiffer) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const testing::Room room = testing::room();
+  const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  Inference inference = testing::inference(base.planes(scan));
+  const auto store = [&](const std::vector<RelationFact>& near) {
+    inference.facts = near;
+    inference.facts.insert(inference.facts.begin(), {"above", 4, 3, 0.75});
+    inference.asked = {{"above", {.asked = 12, .held = 1, .inputs_sha256 = "x"}},
+                       {"near", {.asked = 12, .held = static_cast<std::int64_t>(near.size()), .inputs_sha256 = std::to_string(near.size())}}};
+    base.store_inference(scan, inference);
+  };
+  const auto rows = [&] { return ask(base, "SELECT id, a, b, degree FROM relation_fact WHERE relation = 'near' ORDER BY a, b"); };
+  store({{"near", 1, 2, 0.5}, {"near", 1, 3, 0.5}, {"near", 2, 3, 0.5}});
+  EXPECT_THAT(rows(), ElementsAre("2|1|2|0.5", "3|1|3|0.5", "4|2|3|0.5"));
+  store({{"near", 1, 2, 0.5}, {"near", 1, 4, 0.5}, {"near", 2, 1, 0.25}, {"near", 2, 3, 0.75}});
+  EXPECT_THAT(rows(), ElementsAre("2|1|2|0.5", "5|1|4|0.5", "6|2|1|0.25", "4|2|3|0.75"));
+  // Read back by a and b, whatever the rows' ids, and apart from those of other relations between them.
+  const auto facts = base.facts(scan);
+  std::vector<std::pair<PlaneId, PlaneId>> pairs;
+  for (const RelationFact& fact : facts.at("near").facts) pairs.emplace_back(fact.a, fact.b);
+  EXPECT_THAT(pairs, ElementsAre(std::pair(1, 2), std::pair(1, 4), std::pair(2, 1), std::pair(2, 3)));
+  EXPECT_EQ(facts.at("above").facts.size(), 1U);
+  store({});
+  EXPECT_TRUE(rows().empty());
+  EXPECT_TRUE(base.facts(scan).at("near").facts.empty());
 }
 
 TEST(KnowledgeBase, SeesAtOnceWhatAnotherConnectionChanged) {
