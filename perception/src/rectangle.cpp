@@ -1,33 +1,74 @@
-// The only source that sees OpenCV.
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "scenelore/perception/hull.hpp"
 
 namespace scenelore::perception {
 
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Corners of the convex hull, counter-clockwise (Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions").
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  const auto before = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Eigen::Vector2d> hull;
+  const auto walk = [&](const auto& from, const auto& to) {
+    const std::size_t start = hull.size();
+    for (auto p = from; p != to; ++p) {
+      while (hull.size() > start + 1 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0) hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back();  // the first corner of the other half
+  };
+  walk(points.begin(), points.end());
+  walk(points.rbegin(), points.rend());
+  return hull;
+}
+
+/// The rectangle around the corners with a side along the unit vector u; length is along u.
+Rectangle bounds_along(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& u) {
+  const Eigen::Vector2d v(-u.y(), u.x());
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Eigen::Vector2d& p : corners) {
+    const Eigen::Vector2d q(u.dot(p), v.dot(p));
+    low = low.cwiseMin(q);
+    high = high.cwiseMax(q);
+  }
+  const Eigen::Vector2d middle = (low + high) / 2, size = high - low;
+  return {.center = middle.x() * u + middle.y() * v, .along = u, .length = size.x(), .width = size.y()};
+}
+
+}  // namespace
+
+// One side of the smallest rectangle lies along an edge of the convex hull (Freeman and Shapira 1975, "Determining the minimum-area
+// encasing rectangle for an arbitrary closed curve"), so each edge is tried; hulls have some dozen.
 Rectangle minimum_rectangle(std::span<const Eigen::Vector2d> points) {
-  Rectangle rectangle;
-  std::vector<cv::Point2f> corners;
+  if (points.empty()) return {};
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& p : points) middle += p / static_cast<double>(points.size());
-  // About their middle: OpenCV computes in single precision.
-  for (const Eigen::Vector2d& p : points) {
-    corners.emplace_back(static_cast<float>(p.x() - middle.x()), static_cast<float>(p.y() - middle.y()));
+  std::vector<Eigen::Vector2d> about_middle;  // far from the origin products would lose their last digits
+  for (const Eigen::Vector2d& p : points) about_middle.push_back(p - middle);
+  const std::vector<Eigen::Vector2d> hull = convex_hull(std::move(about_middle));
+  Rectangle best{.center = hull.front()};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; hull.size() > 1 && i < hull.size(); ++i) {
+    const Rectangle found = bounds_along(hull, (hull[(i + 1) % hull.size()] - hull[i]).normalized());
+    if (found.length * found.width >= least) continue;
+    least = found.length * found.width;
+    best = found;
   }
-  if (corners.empty()) return rectangle;
-  cv::Point2f box[4];
-  const cv::RotatedRect found = cv::minAreaRect(corners);
-  found.points(box);
-  const Eigen::Vector2d a(box[1].x - box[0].x, box[1].y - box[0].y), b(box[2].x - box[1].x, box[2].y - box[1].y);
-  const Eigen::Vector2d& longer = a.norm() >= b.norm() ? a : b;
-  rectangle.center = middle + Eigen::Vector2d(found.center.x, found.center.y);
-  rectangle.length = std::max(found.size.width, found.size.height);
-  rectangle.width = std::min(found.size.width, found.size.height);
-  if (longer.norm() > 0) rectangle.along = longer.normalized();
-  return rectangle;
+  if (best.width > best.length) {
+    std::swap(best.length, best.width);
+    best.along = {-best.along.y(), best.along.x()};
+  }
+  best.center += middle;
+  return best;
 }
 
 namespace {

@@ -47,7 +47,7 @@ struct Rectangle {
   double length = 0, width = 0;                      ///< metres, length ≥ width
 };
 
-/// Minimum-area rectangle around the points (OpenCV, rotating calipers). One point gives a rectangle of no size.
+/// Minimum-area rectangle around the points. One point gives a rectangle of no size, points on a line one of no width.
 [[nodiscard]] Rectangle minimum_rectangle(std::span<const Eigen::Vector2d> points);
 
 /// Share of the rectangle that lies inside the outline, in [0, 1]: the paper's bitmap of 640×480 pixels, fitted to the
