@@ -42,6 +42,7 @@ class Compiler {
 
   void choose_floor();
   void add_variables();
+  void make_room();
   void add_row(int row);
 
   LabellingProblem out;
@@ -50,7 +51,7 @@ class Compiler {
   void check_evidence() const;
   void add(int row, int a, int b, double weight, std::variant<engine::Conflict, engine::Requirement,
            engine::Cardinality, engine::PairTable> body) {
-    out.problem.add(rows(row).name, weight, rows(row).id, std::move(body));
+    out.problem.add(short_name_, weight, rows(row).id, std::move(body));
     out.origins.push_back({.row = row, .a = a, .b = b});
   }
   [[nodiscard]] const kb::ClassConstraint& rows(int row) const { return knowledge_.constraints[at(row)]; }
@@ -89,10 +90,15 @@ class Compiler {
   void add_some_tuple(int row, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples);
   Literal conjunction(std::vector<Literal> members);
   const std::vector<std::pair<int, int>>& in_reach_of(const Reach& reach);
+  [[nodiscard]] Reach reach_of(const std::string& relation) const {
+    const auto found = facts_.reach.find(relation);
+    return found == facts_.reach.end() ? Reach{} : found->second;
+  }
   [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
   bool strict_;
+  std::string short_name_;  // of the row at work: so short that each of its thousand constraints holds it without a block of its own
   const kb::Knowledge& knowledge_;
   const Scene& scene_;
   const std::vector<std::vector<double>>& evidence_;
@@ -257,8 +263,26 @@ Literal Compiler::conjunction(std::vector<Literal> members) {
   return {variable, kYes};
 }
 
+/// Room for the origins of as many constraints as there will be at most.
+void Compiler::make_room() {
+  std::size_t most = 0;
+  for (const kb::ClassConstraint& row : knowledge_.constraints) {
+    if (!row.enabled) continue;
+    if (row.quantifier == Quantifier::every && row.relation) {
+      most += 2 * in_reach_of(reach_of(*row.relation)).size();
+    } else if (row.quantifier == Quantifier::no && row.relation) {
+      const FactIndex::Relation relation = index_.relation(*row.relation);
+      for (int a = 0; a < planes(); ++a) most += relation.held(a).size();
+    } else {
+      most += scene_.planes.size();
+    }
+  }
+  out.origins.reserve(most);
+}
+
 void Compiler::add_row(int index) {
   const kb::ClassConstraint& row = rows(index);
+  short_name_ = "row " + std::to_string(row.id);
   for (const TupleConstraint& constraint : facts_.constraints) {
     if (constraint.name == row.name) return add_tuples(index, constraint);
   }
@@ -314,23 +338,24 @@ void Compiler::add_pairs(int index, int subject, int other) {
   const bool both = subject == other;
   const FactIndex::Relation facts = row.relation ? index_.relation(*row.relation) : FactIndex::Relation{};
   const auto degree = [&](int a, int b) { return row.relation ? facts.degree(a, b) : 1.0; };
-  const auto take = [&](int a, int b) {
-    if (both && b < a && (every || degree(b, a) > 0)) return;  // came from the other side
-    if (label(a, subject) < 0) return;
-    add_pair(index, subject, other, a, b, pair_cost(row, a, degree(a, b)),
-             both ? pair_cost(row, b, degree(b, a)) : 0);
-  };
+  const auto back = [&](int a, int b) { return both ? pair_cost(row, b, degree(b, a)) : 0; };
   if (!every) {
     for (int a = 0; a < planes(); ++a) {
-      for (const auto& [b, d] : held(row, a)) take(a, b);
+      if (label(a, subject) < 0) continue;
+      for (const auto& [b, d] : held(row, a)) {
+        if (both && b < a && degree(b, a) > 0) continue;  // came from the other side
+        add_pair(index, subject, other, a, b, pair_cost(row, a, d), back(a, b));
+      }
     }
     return;
   }
-  const auto found = facts_.reach.find(*row.relation);
-  const Reach reach = found == facts_.reach.end() ? Reach{} : found->second;
-  for (const auto& [a, b] : in_reach_of(reach)) {
+  FactIndex::Rising rising(facts, planes());
+  const auto take = [&](int a, int b) {
+    if (label(a, subject) >= 0) add_pair(index, subject, other, a, b, pair_cost(row, a, rising.degree(a, b)), back(a, b));
+  };
+  for (const auto& [a, b] : in_reach_of(reach_of(*row.relation))) {
     take(a, b);
-    take(b, a);
+    if (!both) take(b, a);
   }
 }
 
@@ -461,6 +486,7 @@ LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
   });
   compiler.choose_floor();
   compiler.add_variables();
+  compiler.make_room();
   for (std::size_t row = 0; row < knowledge.constraints.size(); ++row) {
     if (knowledge.constraints[row].enabled) compiler.add_row(static_cast<int>(row));
   }

@@ -1,13 +1,14 @@
 #include "fact_index.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "scenelore/rules/error.hpp"
 
 namespace scenelore::rules {
 
 FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), planes_(scene.planes.size()) {
-  std::map<kb::PlaneId, int> index;
+  std::unordered_map<kb::PlaneId, int> index;
   for (std::size_t i = 0; i < scene.ids.size(); ++i) index[scene.ids[i]] = static_cast<int>(i);
   const auto plane = [&](kb::PlaneId id, const std::string& relation) {
     const auto found = index.find(id);

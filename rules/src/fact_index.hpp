@@ -36,6 +36,23 @@ class FactIndex {
     friend class FactIndex;
     const std::vector<std::vector<Held>>* by_plane_ = nullptr;
   };
+
+  /// Degrees for one who asks about each plane's partners in rising order, as a sorted list of pairs does: no search.
+  class Rising {
+   public:
+    Rising(const Relation& relation, int planes) : relation_(relation), next_(static_cast<std::size_t>(planes)) {}
+    /// As Relation::degree; for one `a`, b must not fall from call to call.
+    [[nodiscard]] double degree(int a, int b) {
+      const std::vector<Held>& list = relation_.held(a);
+      std::size_t& at = next_[static_cast<std::size_t>(a)];
+      while (at < list.size() && list[at].b < b) ++at;
+      return at < list.size() && list[at].b == b ? list[at].degree : 0;
+    }
+
+   private:
+    Relation relation_;
+    std::vector<std::size_t> next_;
+  };
   /// A relation without facts is empty.
   [[nodiscard]] Relation relation(const std::string& name) const;
 

@@ -56,14 +56,6 @@ constexpr PlaneField kFields[] = {
 
 [[noreturn]] int no_writing(lua_State*) { throw Error("planes cannot be changed; a rule only looks at them"); }
 
-int unknown_plane_field(lua_State* state) {
-  const RuleHost& host = host_of(state);
-  std::size_t length = 0;
-  const char* key = lua_type(state, 2) == LUA_TSTRING ? lua_tolstring(state, 2, &length) : "?";
-  const std::string word(key, length);
-  throw Error("a plane has no '" + word.substr(0, 64) + "'" + did_you_mean(word, plane_fields(*host.scene)));
-}
-
 int unknown_vector_field(lua_State*) { throw Error("a normal has x, y and z only"); }
 
 int describe_plane(lua_State* state) {
@@ -103,27 +95,49 @@ void set_number(lua_State* state, const char* name, double value) {
   lua_setfield(state, -2, name);
 }
 
+void push_normal(RuleHost& host, const Eigen::Vector3d& normal) {
+  lua_State* state = host.lua.get();
+  lua_createtable(state, 0, 3);
+  set_number(state, "x", normal.x());
+  set_number(state, "y", normal.y());
+  set_number(state, "z", normal.z());
+  push_handle(host, -1, guarded<unknown_vector_field>);
+}
+
+/// What few rules ask for is made when one does: the normal, and the features of the catalogue. Arguments are the values and the key
+/// that they lack.
+int rare_plane_field(lua_State* state) {
+  RuleHost& host = host_of(state);
+  std::size_t length = 0;
+  const char* text = lua_type(state, 2) == LUA_TSTRING ? lua_tolstring(state, 2, &length) : "?";
+  const std::string_view key(text, length);
+  lua_getfield(state, 1, "id");
+  const auto& ids = host.scene->ids;
+  const auto index = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), lua_tointeger(state, -1)) - ids.begin());
+  const kb::FeatureTable& features = host.scene->features;
+  const auto column = static_cast<std::size_t>(std::find(features.names.begin(), features.names.end(), key) - features.names.begin());
+  const LuaState::HostMemory memory(host.lua);
+  if (key == "normal") {
+    push_normal(host, host.scene->planes[index].normal);
+  } else if (index < features.values.size() && column < std::min(features.names.size(), features.values[index].size())) {
+    lua_pushnumber(state, features.values[index][column]);  // while features are being computed, the one at work has a name, but no value
+  } else {
+    const std::string word(key);
+    throw Error("a plane has no '" + word.substr(0, 64) + "'" + did_you_mean(word, plane_fields(*host.scene)));
+  }
+  lua_pushvalue(state, 2);
+  lua_pushvalue(state, -2);
+  lua_rawset(state, 1);
+  return 1;
+}
+
 void make_plane(RuleHost& host, std::size_t index) {
   lua_State* state = host.lua.get();
-  const perception::Plane& plane = host.scene->planes[index];
-  const kb::FeatureTable& features = host.scene->features;
-  lua_createtable(state, 0, static_cast<int>(std::size(kFields) + features.names.size() + 2));
-  if (index < features.values.size()) {
-    // While features are being computed, the one at work has a name already, but no value.
-    for (std::size_t f = 0; f < std::min(features.names.size(), features.values[index].size()); ++f) {
-      set_number(state, features.names[f].c_str(), features.values[index][f]);
-    }
-  }
-  for (const PlaneField& field : kFields) set_number(state, field.name, field.value(plane));
+  lua_createtable(state, 0, static_cast<int>(std::size(kFields) + 2));
+  for (const PlaneField& field : kFields) set_number(state, field.name, field.value(host.scene->planes[index]));
   lua_pushinteger(state, host.scene->ids[index]);
   lua_setfield(state, -2, "id");
-  lua_createtable(state, 0, 3);
-  set_number(state, "x", plane.normal.x());
-  set_number(state, "y", plane.normal.y());
-  set_number(state, "z", plane.normal.z());
-  push_handle(host, -1, guarded<unknown_vector_field>);
-  lua_setfield(state, -2, "normal");
-  push_handle(host, static_cast<int>(index), guarded<unknown_plane_field>);
+  push_handle(host, static_cast<int>(index), guarded<rare_plane_field>);
 }
 
 using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "scenelore/rules/error.hpp"
 #include "suggestion.hpp"
@@ -36,9 +35,10 @@ double number_setting(const kb::Knowledge& knowledge, const std::string& key, do
 
 std::string number(double value, int decimals) {
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  std::string out = text;
+  if (std::isnan(value)) return "nan";
+  char text[400];  // the largest number has 309 digits before the point
+  const std::to_chars_result end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  std::string out(text, end.ptr);
   if (out.find('.') != std::string::npos) {
     out.erase(out.find_last_not_of('0') + 1);
     if (out.back() == '.') out.pop_back();

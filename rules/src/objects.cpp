@@ -50,8 +50,20 @@ Labelled labelled(const kb::Knowledge& knowledge, const Scene& scene, const std:
   for (std::size_t p = 0; p < scene.ids.size(); ++p) place[scene.ids[p]] = static_cast<int>(p);
   for (const kb::Label& label : labels) out.classes[static_cast<std::size_t>(place.at(label.plane))] = label.object_class;
   const double hold = hold_degree(knowledge);
+  for (const kb::Composite& composite : knowledge.composites) {
+    for (const CompositePart& part : composite.parts) {
+      if (composite.enabled && part.relation) out.relations[*part.relation];
+    }
+  }
+  std::map<std::pair<int, int>, double>* of = nullptr;  // of the relation at work: facts come by relation
+  const std::string* relation = nullptr;
   for (const kb::RelationFact& fact : facts) {
-    if (fact.degree >= hold) out.relations[fact.relation][{place.at(fact.a), place.at(fact.b)}] = fact.degree;
+    if (relation == nullptr || *relation != fact.relation) {
+      const auto used = out.relations.find(fact.relation);
+      of = used == out.relations.end() ? nullptr : &used->second;
+      relation = &fact.relation;
+    }
+    if (of != nullptr && fact.degree >= hold) (*of)[{place.at(fact.a), place.at(fact.b)}] = fact.degree;
   }
   return out;
 }
