@@ -99,13 +99,15 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
   }
   const bool flat_outline = plane.hull.outer.size() >= 3;
   steep = !flat_outline || std::abs(normal.z()) <= std::cos(kSteepDegrees * std::numbers::pi / 180);
+  Region on_plan;
   if (steep) {
     line = plan_line(plane.hull.outer, centroid, u);
-    footprint.add_ring({line.from, line.to});
-    return;
+    on_plan.add_ring({line.from, line.to});
+  } else {
+    on_plan.add_ring(seen_from_above(plane.hull.outer));
+    for (const perception::Ring& hole : plane.hull.holes) on_plan.add_ring(seen_from_above(hole));
   }
-  footprint.add_ring(seen_from_above(plane.hull.outer));
-  for (const perception::Ring& hole : plane.hull.holes) footprint.add_ring(seen_from_above(hole));
+  footprint = ScannedRegion(std::move(on_plan));
 }
 
 Box3 box_of(const perception::Plane& plane) {
@@ -144,7 +146,7 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b) {
 }
 
 double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach) {
-  return a.steep ? share_within(a.line, b.footprint, reach) : share_within(a.footprint, b.footprint, reach);
+  return a.steep ? share_within(a.line, b.footprint.region(), reach) : share_within(a.footprint, b.footprint, reach);
 }
 
 }  // namespace scenelore::rules

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "region.hpp"
+#include "scanned_region.hpp"
 #include "scenelore/perception/plane.hpp"
 
 namespace scenelore::rules {
@@ -34,7 +34,7 @@ struct PlaneShape {
   std::vector<Edge3> edges;                ///< of outer boundary and holes; one of length 0 for a point
   std::vector<EdgeBlock> blocks;           ///< of edges
   Region in_plane;                         ///< outline in (u, v) from the centroid
-  Region footprint;                        ///< outline seen from above; the line or point where `line` stands
+  ScannedRegion footprint;                 ///< outline seen from above; the line or point where `line` stands
   bool steep = false;                      ///< footprint is `line`
   Segment2 line;
 

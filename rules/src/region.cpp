@@ -26,30 +26,6 @@ double ring_area(const std::vector<Vector2d>& ring) {
   return std::abs(twice) / 2;
 }
 
-/// Sorts and merges overlapping intervals.
-Intervals merged(Intervals intervals) {
-  std::sort(intervals.begin(), intervals.end());
-  Intervals out;
-  for (const auto& [low, high] : intervals) {
-    if (high <= low) continue;
-    if (!out.empty() && low <= out.back().second) {
-      out.back().second = std::max(out.back().second, high);
-    } else {
-      out.emplace_back(low, high);
-    }
-  }
-  return out;
-}
-
-double shared_length(const Intervals& a, const Intervals& b) {
-  double length = 0;
-  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    length += std::max(0.0, std::min(a[i].second, b[j].second) - std::max(a[i].first, b[j].first));
-    a[i].second < b[j].second ? ++i : ++j;
-  }
-  return length;
-}
-
 /// Where the line p + s·d (d of length 1) runs inside the region, by the even-odd rule.
 Intervals inside_on_line(const Region& region, const Vector2d& p, const Vector2d& d) {
   std::vector<double> crossings;
@@ -111,44 +87,8 @@ Intervals within_on_line(const Region& region, const Vector2d& p, const Vector2d
     if (std::min(side_from, side_to) > reach || std::max(side_from, side_to) < -reach) return;
     if (const auto interval = near_edge(p, d, from, to, reach)) out.push_back(*interval);
   });
-  return merged(std::move(out));
-}
-
-/// An edge with its heights at hand: for lines along x, most edges are told to be far by these alone.
-struct Level {
-  Vector2d from, to;
-  double low, high;
-};
-
-std::vector<Level> levels(const Region& region) {
-  std::vector<Level> out;
-  for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) {
-    out.push_back({from, to, std::min(from.y(), to.y()), std::max(from.y(), to.y())});
-  });
+  merge(out);
   return out;
-}
-
-/// Where the line at height y runs inside, by the even-odd rule.
-Intervals inside_on_level(const std::vector<Level>& edges, double y) {
-  std::vector<double> crossings;
-  for (const Level& edge : edges) {
-    if (y < edge.low || y >= edge.high) continue;
-    crossings.push_back(edge.from.x() + (edge.to.x() - edge.from.x()) * (y - edge.from.y()) / (edge.to.y() - edge.from.y()));
-  }
-  std::sort(crossings.begin(), crossings.end());
-  Intervals out;
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) out.emplace_back(crossings[i], crossings[i + 1]);
-  return out;
-}
-
-/// `close` are the edges that may be within reach at all.
-Intervals within_on_level(const std::vector<Level>& edges, const std::vector<Level>& close, double y, double reach) {
-  Intervals out = inside_on_level(edges, y);
-  for (const Level& edge : close) {
-    if (y < edge.low - reach || y > edge.high + reach) continue;
-    if (const auto interval = near_edge({0, y}, Vector2d::UnitX(), edge.from, edge.to, reach)) out.push_back(*interval);
-  }
-  return merged(std::move(out));
 }
 
 struct Edge {
@@ -183,35 +123,30 @@ bool crosses_box(const Vector2d& from, const Vector2d& to, const Box2& box) {
          std::max(from.y(), to.y()) >= box.min().y() && std::min(from.y(), to.y()) <= box.max().y();
 }
 
-bool boundary_enters(const Region& region, const Box2& box) {
-  bool enters = false;
-  for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) { enters = enters || crosses_box(from, to, box); });
-  return enters;
-}
-
-constexpr int kLinesPerSlab = 4;
-
-/// Sixteen even slabs, cut further at the heights where the share of a line may jump: corners, and corners moved by the
-/// reach. With many corners the jumps are small and the even slabs are enough.
-std::vector<double> slab_heights(const Region& a, const Region& b, double reach) {
-  const double low = a.box.min().y(), high = a.box.max().y();
-  constexpr int kSlabs = 16;
-  std::vector<double> even;
-  for (int i = 0; i <= kSlabs; ++i) even.push_back(low + (high - low) * i / kSlabs);
-  std::vector<double> heights;
-  for_each_edge(a, [&](const Vector2d& from, const Vector2d&) { heights.push_back(from.y()); });
-  for_each_edge(b, [&](const Vector2d& from, const Vector2d&) {
-    for (const double move : {-reach, 0.0, reach}) heights.push_back(from.y() + move);
-  });
-  std::erase_if(heights, [&](double y) { return y < low || y > high; });
-  if (heights.size() > 4 * kSlabs) return even;
-  heights.insert(heights.end(), even.begin(), even.end());
-  std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-  return heights;
-}
-
 }  // namespace
+
+void merge(Intervals& intervals) {
+  std::sort(intervals.begin(), intervals.end());
+  std::size_t kept = 0;
+  for (const auto& [low, high] : intervals) {
+    if (high <= low) continue;
+    if (kept > 0 && low <= intervals[kept - 1].second) {
+      intervals[kept - 1].second = std::max(intervals[kept - 1].second, high);
+    } else {
+      intervals[kept++] = {low, high};
+    }
+  }
+  intervals.resize(kept);
+}
+
+double shared_length(std::span<const std::pair<double, double>> a, std::span<const std::pair<double, double>> b) {
+  double length = 0;
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    length += std::max(0.0, std::min(a[i].second, b[j].second) - std::max(a[i].first, b[j].first));
+    a[i].second < b[j].second ? ++i : ++j;
+  }
+  return length;
+}
 
 void Region::add_ring(std::vector<Eigen::Vector2d> ring) {
   for (const Vector2d& corner : ring) box.extend(corner);
@@ -282,38 +217,10 @@ double shared_area(const Region& a, const Region& b) {
   return area;
 }
 
-double share_within(const Region& a, const Region& b, double reach) {
-  if (a.box.isEmpty() || b.box.isEmpty()) return 0;
-  const Box2 grown(b.box.min().array() - reach, b.box.max().array() + reach);
-  if (!a.box.intersects(grown)) return 0;
-  if (!boundary_enters(b, a.box)) {  // b's outline stays clear of a: all of a is inside, or none of it
-    if (b.contains(a.box.center())) return 1;
-    if (reach <= 0) return 0;
-  }
-  const double area = a.area();
-  if (area <= 0) return 0;
-  if (reach <= 0) return std::clamp(shared_area(a, b) / area, 0.0, 1.0);
-  double shared = 0, all = 0;
-  const std::vector<Level> edges_a = levels(a);
-  std::vector<Level> edges_b = levels(b), close_b = edges_b;
-  std::erase_if(edges_b, [&](const Level& edge) { return edge.high < a.box.min().y() || edge.low > a.box.max().y(); });
-  const Box2 around(a.box.min().array() - reach, a.box.max().array() + reach);
-  std::erase_if(close_b, [&](const Level& edge) { return !crosses_box(edge.from, edge.to, around); });
-  const std::vector<double> cuts = slab_heights(a, b, reach);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double height = (cuts[i + 1] - cuts[i]) / kLinesPerSlab;
-    for (int k = 0; k < kLinesPerSlab; ++k) {
-      const double y = cuts[i] + (k + 0.5) * height;
-      const Intervals of_a = inside_on_level(edges_a, y);
-      for (const auto& [from, to] : of_a) all += (to - from) * height;
-      shared += shared_length(of_a, within_on_level(edges_b, close_b, y, reach)) * height;
-    }
-  }
-  return all > 0 ? std::clamp(shared / all, 0.0, 1.0) : 0;
-}
-
 double share_within(const Segment2& a, const Region& b, double reach) {
   if (b.box.isEmpty()) return 0;
+  const Box2 grown(b.box.min().array() - std::max(reach, 0.0), b.box.max().array() + std::max(reach, 0.0));
+  if (!grown.intersects(Box2(a.from.cwiseMin(a.to), a.from.cwiseMax(a.to)))) return 0;
   const double length = a.length();
   if (length <= 0) {
     if (b.contains(a.from)) return 1;
@@ -325,7 +232,8 @@ double share_within(const Segment2& a, const Region& b, double reach) {
   }
   const Vector2d direction = (a.to - a.from) / length;
   const Intervals near = within_on_line(b, a.from, direction, std::max(reach, 0.0));
-  return std::clamp(shared_length({{0.0, length}}, near) / length, 0.0, 1.0);
+  const Intervals whole{{0.0, length}};
+  return std::clamp(shared_length(whole, near) / length, 0.0, 1.0);
 }
 
 }  // namespace scenelore::rules

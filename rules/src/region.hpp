@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,11 @@ namespace scenelore::rules {
 
 using Box2 = Eigen::AlignedBox2d;
 using Intervals = std::vector<std::pair<double, double>>;  ///< disjoint, rising
+
+/// Sorts intervals in any order and joins those that overlap or touch; empty ones go.
+void merge(Intervals& intervals);
+/// Length that lies in both.
+[[nodiscard]] double shared_length(std::span<const std::pair<double, double>> a, std::span<const std::pair<double, double>> b);
 
 /// Rings of corners, outer boundary and holes alike: a point is inside when it is inside an odd number of them.
 /// A ring of one or two corners is a point or a line, which has a boundary but no inside.
@@ -31,7 +37,7 @@ struct Segment2 {
 [[nodiscard]] double shared_area(const Region& a, const Region& b);
 
 /// Share of `a`'s area that is inside `b` or within `reach` metres of it, in [0, 1]. Exact for reach 0; with a reach the
-/// area is integrated over 64 lines or more across `a`, each of them exact.
+/// area is integrated over 64 lines or more across `a`, each of them exact. For regions that are asked about again, see ScannedRegion.
 [[nodiscard]] double share_within(const Region& a, const Region& b, double reach);
 
 /// Share of a segment that is inside `b` or within `reach` of it, in [0, 1]; exact. A point gives 0 or 1.

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "scanned_region.hpp"
+
 namespace scenelore::rules {
 namespace {
 
@@ -19,12 +21,12 @@ Region rectangle(double x0, double y0, double x1, double y1) {
 }
 
 /// A star-shaped outline with a hole, about a centre.
-Region blob(std::mt19937& random, const Vector2d& center, bool hole) {
+Region blob(std::mt19937& random, const Vector2d& center, bool hole, int corners_a_ring = 17) {
   const auto uniform = [&] { return static_cast<double>(random() % 1000) / 1000; };
   const auto ring = [&](double least, double most) {
     std::vector<Vector2d> corners;
-    for (int i = 0; i < 17; ++i) {
-      const double angle = 2 * std::numbers::pi * i / 17, radius = least + (most - least) * uniform();
+    for (int i = 0; i < corners_a_ring; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners_a_ring, radius = least + (most - least) * uniform();
       corners.push_back(center + radius * Vector2d(std::cos(angle), std::sin(angle)));
     }
     return corners;
@@ -92,6 +94,31 @@ TEST(Region, GrowsByTheReach) {
   EXPECT_EQ(share_within(rectangle(0.2, 0.2, 0.8, 0.8), rectangle(0, 0, 1, 1), 0.35), 1);
   // Around a corner the reach is round: a quarter disc of the square beyond it.
   EXPECT_NEAR(share_within(rectangle(1, 1, 2, 2), rectangle(0, 0, 1, 1), 1), std::numbers::pi / 4, 5e-3);
+}
+
+TEST(Region, SharesAreaWithinReachAsCountedPointsSay) {
+  std::mt19937 random(9);
+  for (int round = 0; round < 18; ++round) {
+    const int corners = round % 3 == 0 ? 5 : round % 3 == 1 ? 17 : 90;  // cut at each corner; or in even slabs
+    const Region a = blob(random, {0, 0}, round % 2 == 0, corners), b = blob(random, {0.15 * round, 0.11 * round}, round % 4 < 2, corners);
+    const double reach = 0.04 + 0.07 * (round % 5);
+    int in_a = 0, near = 0;
+    constexpr int kGrid = 150;
+    for (int i = 0; i < kGrid; ++i) {
+      for (int j = 0; j < kGrid; ++j) {
+        const Vector2d p(-1.5 + 3.0 * (i + 0.5) / kGrid, -1.5 + 3.0 * (j + 0.5) / kGrid);
+        if (!a.contains(p)) continue;
+        ++in_a;
+        near += distance_to(b, p) <= reach;
+      }
+    }
+    const ScannedRegion scanned_a(a), scanned_b(b);
+    const double share = share_within(scanned_a, scanned_b, reach);
+    EXPECT_NEAR(share, static_cast<double>(near) / in_a, 0.012) << round;
+    EXPECT_EQ(share_within(a, b, reach), share) << round;
+    (void)share_within(scanned_b, scanned_a, reach);
+    EXPECT_EQ(share_within(scanned_a, scanned_b, reach), share) << round;
+  }
 }
 
 TEST(Region, SharesLengthAsManyPointsOnALineSay) {
