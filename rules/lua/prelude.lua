@@ -174,7 +174,7 @@ local checks = {
 local relation_fields = {
   api = checks.api, name = checks.name, summary = checks.text, within = checks.distance,
   within_plan = checks.distance, symmetric = checks.flag, applies = checks.call, degree = checks.call,
-  extends = checks.name,
+  extends = checks.name, converse = checks.name,
 }
 local relation_needs = { "api", "name", "summary", "degree" }
 
@@ -226,16 +226,46 @@ local function tolerances_of(t, base)
   return values
 end
 
-local function with_base(t)
-  local base = host.base(t.extends)
+local function with_base(t, field)
+  local base = host.base(t[field])
   if not base then
-    fail("relation", t.name, "extends", format("extends '%s', which is no built-in relation", tostring(t.extends)))
+    local does = field == "extends" and "extends" or "is the converse of"
+    fail("relation", t.name, field, format("%s '%s', which is no built-in relation", does, tostring(t[field])))
   end
   local whole = {}
   for _, key in next, sorted_keys(base) do whole[key] = base[key] end
   for _, key in next, sorted_keys(t) do whole[key] = t[key] end
   if t.name == nil then fail("relation", nil, "relation", "field 'name' is missing") end
   return whole, base
+end
+
+-- The other way round: from a to b it is what the other relation is from b to a.
+local function with_converse(t)
+  if t.extends ~= nil then fail("relation", t.name, "extends", "has a converse already: name one of the two, 'extends' or 'converse'") end
+  for _, field in next, { "degree", "applies", "symmetric" } do
+    if t[field] ~= nil then
+      fail("relation", t.name, field, format("field '%s' comes from '%s', the other way round; leave it out", field, tostring(t.converse)))
+    end
+  end
+  local whole, base = with_base(t, "converse")
+  if base.symmetric then
+    fail("relation", t.name, "converse", format("'%s' is symmetric, so it is its own converse", t.converse))
+  end
+  if base.converse then
+    fail("relation", t.name, "converse", format("'%s' is a converse itself; name '%s'", t.converse, base.converse))
+  end
+  local applies, degree = base.applies, base.degree
+  whole.applies = applies and function(a, b, r) return applies(b, a, r) end
+  whole.degree = function(a, b, r) return degree(b, a, r) end
+  return whole, base
+end
+
+-- Whether a converse has nothing of its own: then its facts are those of the other relation.
+local function is_plain(t)
+  for _, key in next, sorted_keys(t) do
+    if key ~= "api" and key ~= "name" and key ~= "summary" and key ~= "converse" then return false end
+  end
+  return true
 end
 
 local function checked_degree(d)
@@ -267,10 +297,19 @@ function environment.relation(t)
   if type(t) ~= "table" then error("relation: write relation { name = …, … } with braces", 2) end
   local base
   local whole = t
-  if t.extends ~= nil then whole, base = with_base(t) end
+  if t.converse ~= nil then
+    whole, base = with_converse(t)
+  elseif t.extends ~= nil then
+    whole, base = with_base(t, "extends")
+  end
   local tolerances = tolerances_of(t, base)
   check_fields("relation", whole, relation_fields, relation_needs)
   if base then tolerances = tolerances_of(whole) end
+  if t.converse then  -- set there, it holds here
+    for key, value in next, host.overrides(t.converse) do
+      if tolerances[key] ~= nil and t[key] == nil then tolerances[key] = value end
+    end
+  end
   for key, value in next, host.overrides(whole.name) do
     if tolerances[key] == nil then
       error(format("setting '%s.%s': the relation has no such tolerance%s", whole.name, key,
@@ -283,6 +322,7 @@ function environment.relation(t)
     kind = "relation", declared = whole, name = whole.name, summary = whole.summary, within = whole.within or huge,
     within_plan = whole.within_plan or huge, symmetric = whole.symmetric or false, ask = asker(whole, self),
     direct = whole.applies == nil and whole.degree or nil, self = self, tolerances = tolerances,
+    converse = t.converse, plain = t.converse and is_plain(t) or false,
   }
 end
 

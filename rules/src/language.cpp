@@ -118,6 +118,7 @@ std::string language_meta() {
       "---@field within_plan? number the same seen from above\n"
       "---@field symmetric? boolean a to b is always as b to a\n"
       "---@field extends? string built-in relation that all other fields come from\n"
+      "---@field converse? string built-in relation that holds from b to a when this one holds from a to b: instead of degree\n"
       "---@field [string] number|boolean tolerances, r.name in degree\n\n"
       "---@class FeatureDeclaration\n"
       "---@field name string\n---@field unit string\n---@field low number\n---@field high number\n"

@@ -63,7 +63,11 @@ void RuleFile::take_over() {
   if (kind == "relation") {
     kind_ = Kind::relation;
     relation_ = {.name = name_, .summary = text_field("summary"), .file = source_.shown,
-                 .within = number_field("within"), .within_plan = number_field("within_plan")};
+                 .within = number_field("within"), .within_plan = number_field("within_plan"), .converse = text_field("converse")};
+    lua_pushliteral(state, "plain");
+    lua_rawget(state, -2);
+    relation_.plain_converse = lua_toboolean(state, -1) != 0;
+    lua_pop(state, 1);
     lua_pushliteral(state, "direct");
     if (lua_rawget(state, -2) == LUA_TFUNCTION) {
       direct_ = luaL_ref(state, LUA_REGISTRYINDEX);

@@ -44,6 +44,15 @@ std::map<std::string, Overrides> overrides_in(const std::map<std::string, std::s
   return out;
 }
 
+/// The X of `converse = "X"` in a built-in file, empty for none.
+std::string converse_in(const std::string& text) {
+  constexpr std::string_view kField = "  converse = \"";
+  const std::size_t begin = text.find(kField);
+  if (begin == text.npos) return "";
+  const std::size_t name = begin + kField.size();
+  return text.substr(name, text.find('"', name) - name);
+}
+
 }  // namespace
 
 /// A rule that runs in a state of its own, made when it is first asked; a user's file is run at once, to see whether it
@@ -98,9 +107,27 @@ struct RuleSet::Implementation {
   }
   [[nodiscard]] RuleFile& relation(const std::string& name) { return file(relation_entry(name)); }
 
+  /// The relation whose facts, the other way round, are those of this one; nothing where it answers for itself. Settings of its own
+  /// make it do so.
+  [[nodiscard]] std::optional<std::string> mirrored(const std::string& name) {
+    const Entry& entry = relation_entry(name);
+    const std::string other = converse_of(entry);
+    const bool plain = !entry.file || entry.file->relation().plain_converse;
+    if (other.empty() || !plain || overrides.contains(name)) return std::nullopt;
+    const auto found = relations.find(other);
+    const bool answers = found != relations.end() && converse_of(found->second).empty();  // else two could mirror each other
+    return answers ? std::optional(other) : std::nullopt;
+  }
+  /// A built-in file need not be run to know.
+  static std::string converse_of(const Entry& entry) {
+    return entry.file ? entry.file->relation().converse : converse_in(entry.source.text);
+  }
+
   [[nodiscard]] std::string inputs(const std::string& name, const std::string& planes) {
     const auto found = overrides.find(name);
-    return fact_inputs(relation_entry(name).source, found == overrides.end() ? Overrides{} : found->second, planes);
+    const std::string own = fact_inputs(relation_entry(name).source, found == overrides.end() ? Overrides{} : found->second, planes);
+    const std::optional<std::string> other = mirrored(name);
+    return other ? kb::sha256_of(own + inputs(*other, planes)) : own;
   }
 
   void check_total(const RuleFile& file, Clock::time_point start, std::int64_t asked) const {
@@ -110,7 +137,7 @@ struct RuleSet::Implementation {
                 "' is too slow for this scene: give it a smaller 'within' or a cheap 'applies'");
   }
 
-  RelationCount ask(RuleFile& file, const Scene& scene, PairGeometry& geometry, const std::vector<Box3>& boxes,
+  RelationCount ask(RuleFile& file, const Scene& scene, PairGeometry& geometry, const std::vector<std::pair<int, int>>& pairs,
                     std::vector<kb::RelationFact>& facts) const {
     const Clock::time_point start = Clock::now();
     RelationCount count{.relation = file.name()};
@@ -122,7 +149,7 @@ struct RuleSet::Implementation {
       ++count.held;
       facts.push_back({info.name, id(a), id(b), degree});
     };
-    for (const auto& [a, b] : pairs_in_reach(boxes, info.within, info.within_plan)) {
+    for (const auto& [a, b] : pairs) {
       if (count.asked % 64 == 0) check_total(file, start, count.asked);
       const double forth = file.degree(a, b);
       const double back = info.symmetric ? forth : file.degree(b, a);
@@ -241,29 +268,61 @@ class KeptGeometry {
 
 }  // namespace
 
+namespace {
+
+struct Answer {
+  std::vector<kb::RelationFact> facts;  // by a and b
+  kb::RelationAsked asked;
+};
+
+void sort_by_planes(std::vector<kb::RelationFact>& facts) {
+  std::sort(facts.begin(), facts.end(), [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
+}
+
+}  // namespace
+
 Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known) {
   Facts out;
   const std::string planes = digest(scene);
   KeptGeometry geometry(scene, planes);
   std::vector<Box3> boxes;
-  for (const std::string& name : std::set<std::string>(relations.begin(), relations.end())) {
+  std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs;  // by reach, which many relations share
+  std::map<std::string, Answer> answers;
+  const auto answer = [&](const auto& self, const std::string& name) -> const Answer& {
+    const auto [entry, fresh] = answers.try_emplace(name);
+    Answer& result = entry->second;
+    if (!fresh) return result;
     const std::string inputs = implementation_->inputs(name, planes);
     const auto found = known.facts.find(name);
-    kb::RelationAsked& asked = out.asked[name];
     if (found != known.facts.end() && found->second.asked.inputs_sha256 == inputs) {
-      out.facts.insert(out.facts.end(), found->second.facts.begin(), found->second.facts.end());
-      asked = found->second.asked;
+      result = {found->second.facts, found->second.asked};
+      return result;
+    }
+    if (const std::optional<std::string> other = implementation_->mirrored(name)) {
+      const Clock::time_point start = Clock::now();
+      const Answer& there = self(self, *other);
+      for (const kb::RelationFact& fact : there.facts) result.facts.push_back({name, fact.b, fact.a, fact.degree});
+      result.asked = {there.asked.asked, there.asked.held, there.asked.within, there.asked.within_plan, inputs, {}};
+      out.counts.push_back({.relation = name, .asked = there.asked.asked, .held = there.asked.held, .milliseconds = milliseconds_since(start)});
     } else {
       if (boxes.empty()) boxes = boxes_of(scene.planes);
       RuleFile& file = implementation_->relation(name);
-      const std::size_t first = out.facts.size();
-      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), boxes, out.facts));
-      asked = {out.counts.back().asked, out.counts.back().held, file.relation().within, file.relation().within_plan, inputs, {}};
-      std::sort(out.facts.begin() + static_cast<std::ptrdiff_t>(first), out.facts.end(),
-                [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
+      const RelationInfo& info = file.relation();
+      const auto [list, new_reach] = pairs.try_emplace({info.within, info.within_plan});
+      if (new_reach) list->second = pairs_in_reach(boxes, info.within, info.within_plan);
+      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), list->second, result.facts));
+      result.asked = {out.counts.back().asked, out.counts.back().held, info.within, info.within_plan, inputs, {}};
     }
-    out.reach[name] = {asked.within, asked.within_plan};
+    sort_by_planes(result.facts);
+    return result;
+  };
+  for (const std::string& name : std::set<std::string>(relations.begin(), relations.end())) {
+    const Answer& result = answer(answer, name);
+    out.facts.insert(out.facts.end(), result.facts.begin(), result.facts.end());
+    out.asked[name] = result.asked;
+    out.reach[name] = {result.asked.within, result.asked.within_plan};
   }
+  std::sort(out.counts.begin(), out.counts.end(), [](const RelationCount& a, const RelationCount& b) { return a.relation < b.relation; });
   out.geometry = geometry.kept(known.geometry);
   return out;
 }
@@ -326,6 +385,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
 }
 
 double RuleSet::degree(const std::string& relation, const Scene& scene, int a, int b) const {
+  if (const std::optional<std::string> other = implementation_->mirrored(relation)) return degree(*other, scene, b, a);
   PairGeometry geometry(scene.planes);
   RuleFile& file = implementation_->relation(relation);
   file.look_at(&scene, &geometry);

@@ -210,6 +210,63 @@ TEST(Relate, AsksAgainOnlyWhatHasChanged) {
   EXPECT_EQ(asked(RuleSet::load().relate(scene, names, known)), names);
 }
 
+using Fact = std::tuple<kb::PlaneId, kb::PlaneId, double>;
+
+std::vector<Fact> facts_of(RuleSet rules, const Scene& scene, const std::string& relation, bool turned = false) {
+  std::vector<Fact> out;
+  for (const kb::RelationFact& f : rules.relate(scene, {relation}).facts) out.emplace_back(turned ? f.b : f.a, turned ? f.a : f.b, f.degree);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+TEST(Converse, HoldsTheOtherWayRound) {
+  const Scene scene = building(1);
+  const auto above = facts_of(RuleSet::load(), scene, "above");
+  ASSERT_GT(above.size(), 10U);
+  EXPECT_EQ(facts_of(RuleSet::load(), scene, "under", true), above);
+  EXPECT_EQ(facts_of(RuleSet::load(), scene, "stands_on", true), facts_of(RuleSet::load(), scene, "supports"));
+  // By itself, in its own file's words, it says the same.
+  RuleSet own = RuleSet::load({}, {}, {{"under.reach", "0.25"}});
+  EXPECT_EQ(facts_of(std::move(own), scene, "under", true), above);
+  EXPECT_NE(facts_of(RuleSet::load({}, {}, {{"under.reach", "0"}}), scene, "under", true), above);
+  const RuleSet rules = RuleSet::load();
+  for (int a = 0; a < 6; ++a) {
+    for (int b = 0; b < 6; ++b) {
+      if (a == b) continue;
+      EXPECT_EQ(rules.degree("under", scene, a, b), rules.degree("above", scene, b, a));
+    }
+  }
+}
+
+TEST(Converse, FollowsTheRelationInForce) {
+  const Scene scene = building(1);
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "above.lua", "return relation { name = 'above', extends = 'above', degree = function(a, b) return a.z > b.z + 1 end }");
+  const auto mine = facts_of(RuleSet::load({folder.path()}), scene, "above");
+  EXPECT_NE(mine, facts_of(RuleSet::load(), scene, "above"));
+  EXPECT_EQ(facts_of(RuleSet::load({folder.path()}), scene, "under", true), mine);
+  const std::map<std::string, std::string> loose{{"above.enough", "0.2"}};
+  EXPECT_EQ(facts_of(RuleSet::load({}, {}, loose), scene, "under", true), facts_of(RuleSet::load({}, {}, loose), scene, "above"));
+  // What is kept of it depends on that relation too.
+  const Facts first = RuleSet::load().relate(scene, {"under"});
+  EXPECT_EQ(asked(RuleSet::load().relate(scene, {"under"}, {stored(first), {}})), std::vector<std::string>{});
+  EXPECT_EQ(asked(RuleSet::load({folder.path()}).relate(scene, {"under"}, {stored(first), {}})), (std::vector<std::string>{"above", "under"}));
+  // Two files that mirror each other answer for themselves.
+  test::write_file(folder / "above.lua", "return relation { api = 1, name = 'above', summary = 's', converse = 'supports' }");
+  test::write_file(folder / "supports.lua", "return relation { api = 1, name = 'supports', summary = 's', converse = 'above' }");
+  EXPECT_EQ(facts_of(RuleSet::load({folder.path()}), scene, "above"), facts_of(RuleSet::load(), scene, "supports", true));
+}
+
+TEST(Converse, HasNothingThatTheOtherDecides) {
+  const auto error = [](const std::string& fields) { return load_error("return relation {\n api = 1, name = 'r', summary = 's',\n " + fields + " }"); };
+  EXPECT_EQ(error("converse = 'above', degree = function() return 1 end"),
+            "r.lua:3: relation 'r': field 'degree' comes from 'above', the other way round; leave it out");
+  EXPECT_EQ(error("converse = 'near'"), "r.lua:3: relation 'r': 'near' is symmetric, so it is its own converse");
+  EXPECT_EQ(error("converse = 'under'"), "r.lua:3: relation 'r': 'under' is a converse itself; name 'above'");
+  EXPECT_EQ(error("converse = 'abov'"), "r.lua:3: relation 'r': is the converse of 'abov', which is no built-in relation");
+  EXPECT_EQ(error("convers = 'above'"), "r.lua:3: relation 'r': unknown field 'convers'; did you mean 'converse'?");
+}
+
 TEST(Relate, TakesGeometryFromTheRunBeforeOnlyForTheSamePlanes) {
   Scene scene = building(1);
   const std::vector<std::string> names{"above", "near"};

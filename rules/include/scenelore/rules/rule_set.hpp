@@ -31,6 +31,8 @@ struct RelationInfo {
   double within = 0;       ///< metres between the boxes; infinite = no limit
   double within_plan = 0;  ///< the same seen from above
   bool symmetric = false;
+  std::string converse;    ///< of which relation this is the other way round; empty = of none
+  bool plain_converse = false;  ///< its file has nothing of its own, so that its facts are the other's
   std::map<std::string, double> tolerances;  ///< named fields, as they are in force; booleans as 0 and 1
 };
 
