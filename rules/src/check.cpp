@@ -31,8 +31,16 @@ class Checker {
 
  private:
   void note(bool error, const std::string& where, const std::string& text) { findings.push_back({error, where, text}); }
+  /// "file:3: what" becomes what, at file:3.
+  void note_at_line(const std::string& file, const std::string& message) {
+    const std::size_t line = file.size() + 1;
+    const std::size_t end = message.compare(0, line, file + ":") == 0 ? message.find(": ", line) : message.npos;
+    if (end == message.npos) return note(true, file, message);
+    note(true, message.substr(0, end), message.substr(end + 2));
+  }
   void check_count(const kb::ClassConstraint& row, const std::string& where);
   void check_asking(const RelationInfo& relation, const Scene& scene);
+  void check_converse(const RelationInfo& relation, const Scene& scene);
 
   const kb::Knowledge& knowledge_;
   const RuleSet& rules_;
@@ -45,7 +53,6 @@ std::string where_of(const kb::ClassConstraint& row) {
 
 void Checker::check_count(const kb::ClassConstraint& row, const std::string& where) {
   if (!row.count || *row.count < 0) return note(true, where, "at_most and at_least need a count of 0 or more");
-  if (row.quantifier == Quantifier::at_least && *row.count == 0) note(false, where, "never matters: at least 0 always holds");
   if (!row.relation && row.other_class) {
     note(false, where, "other_class is not looked at: without a relation the row counts the planes of '" + row.object_class +
                            "' in the scene");
@@ -66,15 +73,9 @@ void Checker::check_row(const kb::ClassConstraint& row) {
   if (row.weight && !(*row.weight >= 0 && std::isfinite(*row.weight))) {
     note(true, where, "the weight must be 0 or more, or NULL for a hard constraint");
   }
-  if (row.weight && *row.weight == 0) note(false, where, "never matters: its weight is 0");
-  const int subject = knowledge_.class_index(row.object_class);
-  if (subject >= 0 && subject == knowledge_.fallback_index()) {
-    note(false, where, "never matters: '" + row.object_class + "' is the fallback class, which has no constraints");
-  }
   const bool counts = row.quantifier == Quantifier::at_most || row.quantifier == Quantifier::at_least;
   if (counts) check_count(row, where);
   if (!counts && row.count) note(false, where, "count is not looked at: the quantifier counts nothing");
-  if (row.quantifier == Quantifier::every && !row.relation) note(false, where, "never matters: 'every' needs a relation");
 }
 
 /// Hard rows that leave a class no place, and rows that say the same twice.
@@ -140,13 +141,29 @@ void Checker::check_asking(const RelationInfo& relation, const Scene& scene) {
   }
 }
 
+/// A converse with tolerances of its own may answer otherwise than the relation that it claims to mirror.
+void Checker::check_converse(const RelationInfo& relation, const Scene& scene) {
+  const int planes = static_cast<int>(scene.planes.size());
+  for (int a = 0; a < planes; ++a) {
+    for (int b = 0; b < planes; ++b) {
+      if (a == b) continue;
+      const double own = rules_.degree(relation.name, scene, a, b), other = rules_.degree(relation.converse, scene, b, a);
+      if (std::abs(own - other) < 1e-6) continue;
+      return note(false, relation.file, "relation '" + relation.name + "' is the converse of '" + relation.converse + "', but is " +
+                                            number(own, 3) + " where that is " + number(other, 3) + ", since it has tolerances of its own; set them for '" +
+                                            relation.converse + "', or write 'extends' in place of 'converse'");
+    }
+  }
+}
+
 void Checker::check_relations() {
   const Scene scene = sample_scene();
   for (const RelationInfo& relation : rules_.relations()) {
     try {
       check_asking(relation, scene);
+      if (!relation.converse.empty()) check_converse(relation, scene);
     } catch (const Error& error) {
-      note(true, relation.file, error.what());
+      note_at_line(relation.file, error.what());
     }
     const auto uses = [&](const kb::ClassConstraint& row) { return row.enabled && row.relation == relation.name; };
     const bool built_in = relation.file.starts_with("rules/relations/");
@@ -216,6 +233,9 @@ std::vector<Finding> check(const kb::Knowledge& knowledge, const RuleSet& rules)
   for (const kb::ClassConstraint& row : knowledge.constraints) {
     if (row.enabled) checker.check_row(row);
   }
+  std::vector<std::string> valued = kb::built_in_features({}, {}).names;
+  for (const kb::Feature& feature : rules.features()) valued.push_back(feature.name);
+  for (Finding& finding : idle_rows(knowledge, valued)) checker.findings.push_back(std::move(finding));
   checker.check_rows_against_each_other();
   checker.check_settings();
   checker.check_relations();

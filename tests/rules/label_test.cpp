@@ -197,12 +197,45 @@ TEST(Check, FindsRowsThatCannotWork) {
   EXPECT_EQ(texts, (std::vector<std::string>{
                        "E class_constraint row 1 ('row_1'): there is no class 'tabel'; did you mean 'table'?",
                        "E class_constraint row 1 ('row_1'): there is no relation 'abov'; did you mean 'above'?",
-                       "W class_constraint row 4 ('row_4'): never matters: 'unknown' is the fallback class, which has no constraints",
-                       "W class_constraint row 5 ('row_5'): never matters: 'every' needs a relation",
                        "E class_constraint row 6 ('row_6'): at_most and at_least need a count of 0 or more",
+                       "W class_constraint row 4 ('row_4'): never matters: 'unknown' is the fallback class, which has no constraints; "
+                       "name another class",
+                       "W class_constraint row 5 ('row_5'): never matters: 'every' needs a relation; name one",
                        "W class_constraint row 2 ('row_2'): can never hold: class_constraint row 3 ('row_3') forbids what it "
                        "asks for, so nothing is 'table'",
                    }));
+}
+
+TEST(Check, TellsRowsThatChangeNothingAndTheWayOut) {
+  kb::Knowledge knowledge = tiny::knowledge({"table", "chair", "lamp"});
+  knowledge.features = {{.name = "height", .unit = "m", .low = 0, .high = 4, .weight = 0.4},
+                        {.name = "length", .unit = "m", .low = 0, .high = 9, .weight = 0},
+                        {.name = "spread_length", .unit = "m", .low = 0, .high = 9, .weight = 0.3},
+                        {.name = "gone", .unit = "1", .low = 0, .high = 1, .weight = 1}};
+  knowledge.class_features = {{"table", "height", 0.7, 0.1}, {"table", "length", 1.5, 0.1}, {"chair", "length", 0.5, 0.1}, {"chair", "gone", 1, 1}};
+  knowledge.class_densities = {{"table", "length", 0, 9, 1}};  // learned: that it counts for nothing was found out
+  knowledge.settings["hold_degre"] = "0.4";
+  knowledge.constraints = {tiny::row(1, "table", Quantifier::some, "near", "chair", 0.0)};
+  const auto told = [&] {
+    std::vector<std::string> texts;
+    for (const Finding& finding : idle_rows(knowledge, {"height", "length", "spread_length"})) texts.push_back(finding.where + ": " + finding.text);
+    return texts;
+  };
+  EXPECT_EQ(told(), (std::vector<std::string>{
+                        "class_feature row ('chair', 'length'): has no effect: the weight of feature 'length' is 0; give it one (UPDATE feature "
+                        "SET weight = 0.3 WHERE name = 'length'), write the row for 'spread_length', which counts, or leave the row out",
+                        "class_feature row ('chair', 'gone'): has no effect: no plane has a value of 'gone', since no rule file defines it any "
+                        "more: put the file of the feature back, or leave the row out",
+                        "object_class row 3 ('lamp'): only its prior speaks for it: no class_feature row says what it looks like; insert some, or "
+                        "run `scenelore learn` with examples",
+                        "class_constraint row 1 ('row_1'): never matters: its weight is 0; give it one in nats, NULL for a hard row, or set "
+                        "enabled = 0",
+                        "setting 'hold_degre': has no effect: there is no such setting; did you mean 'hold_degree'?"}));
+  knowledge.features[1].weight = 0.2;
+  knowledge.features[3].weight = 0;
+  knowledge.settings.clear();
+  knowledge.constraints[0].weight.reset();
+  EXPECT_EQ(told().size(), 2U) << "the feature that is gone, and the lamp";
 }
 
 TEST(Check, FindsARelationThatIsNotSymmetricAfterAll) {

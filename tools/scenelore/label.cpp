@@ -37,8 +37,10 @@ class LabelCommand : public Command {
     for (const kb::Scan& scan : scans) {
       Report report{.file = file_, .scan = scan, .before = base.labels(scan.id), .corrected = new_corrections(base, scan)};
       report.inference = label_scan(base, file_, scan, labelling_, isolate_, rules);
+      if (&scan == &scans.front()) report.warnings = warnings_about(base, knowledge);
       code = std::max(code, exit_code(report));
       if (!json_) {
+        warn(file_, report.warnings);
         print_text(report, fallback);
         print_changes(report);
       }
@@ -49,6 +51,15 @@ class LabelCommand : public Command {
   }
 
  private:
+  /// Rows that change nothing: a person who wrote one expects that it does.
+  static std::vector<std::string> warnings_about(const kb::KnowledgeBase& base, const kb::Knowledge& knowledge) {
+    std::vector<std::string> valued, out;
+    base.query("SELECT name FROM feature WHERE EXISTS (SELECT 1 FROM plane_feature WHERE feature = name)", [](const auto&) {},
+               [&](const kb::QueryRow& row) { valued.push_back(row.values.at(0).value_or("")); });
+    for (const rules::Finding& finding : rules::idle_rows(knowledge, valued)) out.push_back(finding.where + ": warning: " + finding.text);
+    return out;
+  }
+
   std::string file_;
   std::string scan_;
   bool json_ = false, isolate_ = false;

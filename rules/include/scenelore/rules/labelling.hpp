@@ -105,4 +105,8 @@ struct Finding {
 };
 [[nodiscard]] std::vector<Finding> check(const kb::Knowledge& knowledge, const RuleSet& rules);
 
+/// The warnings among them about rows that change nothing, as `label` tells them too; `features` are the names that planes have
+/// values of. Cheap: nothing is asked of any rule.
+[[nodiscard]] std::vector<Finding> idle_rows(const kb::Knowledge& knowledge, const std::vector<std::string>& features);
+
 }  // namespace scenelore::rules
