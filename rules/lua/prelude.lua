@@ -241,10 +241,13 @@ end
 
 -- The other way round: from a to b it is what the other relation is from b to a.
 local function with_converse(t)
-  if t.extends ~= nil then fail("relation", t.name, "extends", "has a converse already: name one of the two, 'extends' or 'converse'") end
+  if t.extends ~= nil then
+    fail("relation", t.name, "extends", "has a converse already: name one of the two, 'extends' or 'converse'")
+  end
   for _, field in next, { "degree", "applies", "symmetric" } do
     if t[field] ~= nil then
-      fail("relation", t.name, field, format("field '%s' comes from '%s', the other way round; leave it out", field, tostring(t.converse)))
+      fail("relation", t.name, field,
+        format("field '%s' comes from '%s', the other way round; leave it out", field, tostring(t.converse)))
     end
   end
   local whole, base = with_base(t, "converse")
