@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -212,6 +214,40 @@ TEST(Perceive, DescribesARoomAndIsTheSameForAnyNumberOfThreads) {
       EXPECT_EQ(one.planes[i].centroid, other.planes[i].centroid);
     }
   }
+}
+
+/// A dense room has several times the points that its planes are found by.
+TEST(Perceive, GivesEveryPointOfADenseRoomToAPlaneFoundInASample) {
+  const Scene scene = room(0.008, 10'000);
+  PerceptionOptions options;
+  const Perception found = perceive(scene.cloud, options);
+  testing::expect_promises(scene.cloud, found.parameters, found.plane_of_point);
+  ASSERT_EQ(found.planes.size(), 7U);
+  std::map<int, std::map<std::int32_t, std::size_t>> counts;
+  for (std::size_t i = 0; i < scene.truth.size(); ++i) ++counts[scene.truth[i]][found.plane_of_point[i]];
+  for (const auto& [truth, planes] : counts) {
+    std::size_t all = 0, most = 0;
+    for (const auto& [plane, n] : planes) all += n, most = std::max(most, plane < 0 ? 0 : n);
+    EXPECT_GT(static_cast<double>(most), 0.97 * static_cast<double>(all)) << "rectangle " << truth;
+  }
+  std::size_t counted = 0;
+  for (const Plane& plane : found.planes) counted += plane.point_count;
+  EXPECT_EQ(counted, static_cast<std::size_t>(std::count_if(found.plane_of_point.begin(), found.plane_of_point.end(), [](auto p) { return p >= 0; })));
+  options.threads = 1;
+  EXPECT_EQ(perceive(scene.cloud, options).plane_of_point, found.plane_of_point);
+}
+
+TEST(Perceive, NamesItsStagesAndGivesTheSameWhetherTheyAreListenedToOrNot) {
+  const Scene scene = room(0.008);
+  std::vector<std::string> stages;
+  PerceptionOptions options;
+  options.on_stage = [&](std::string_view stage) { stages.emplace_back(stage); };
+  const Perception listened = perceive(scene.cloud, options);
+  EXPECT_EQ(listened.plane_of_point, perceive(scene.cloud).plane_of_point);
+  ASSERT_GE(stages.size(), 3U);
+  EXPECT_EQ(stages.front(), "voxels");
+  EXPECT_EQ(stages.back(), "features");
+  EXPECT_NE(std::find(stages.begin(), stages.end(), "thin objects"), stages.end());
 }
 
 TEST(Perceive, WarnsAboutMillimetres) {
