@@ -234,7 +234,7 @@ Cost least_sum(const Component& component) {
   return sum;
 }
 
-void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff) {
+void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff, Budget* budget) {
   Cost sum = parts.constant;
   for (const Component& component : parts.components) sum = std::min(sum + least_sum(component), kTop);
   for (Component& component : parts.components) {
@@ -242,20 +242,27 @@ void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff) {
     component.network.set_shifting(bound == Bound::soft_consistency);
     component.network.close();
     component.network.set_limit(is_forbidden(cutoff) ? kTop / 2 : std::max<Cost>(0, cutoff - others));
+    component.network.set_budget(budget);
     component.feasible = component.network.strengthen();
+    component.network.set_budget(nullptr);
   }
 }
 
 }  // namespace
 
-Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection) {
+Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection, Budget* budget) {
   const std::size_t count = problem.variables().size();
   const auto& constraints = problem.constraints();
+  constexpr std::size_t kConstraintsBetweenLooks = 1024;
+  const auto cut = [&](std::size_t c) {
+    return budget != nullptr && c % kConstraintsBetweenLooks == 0 && budget->out_of_time();
+  };
   const auto used = [&](std::size_t c) { return selection.constraints.empty() || selection.constraints[c] != 0; };
   Decomposition result;
   select_labels(problem, selection, result);
   Parts parts(count);
   for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (cut(c)) return {.cut = true};
     if (!used(c)) continue;
     int first = -1;
     for_each_variable(result, constraints[c], [&](int v) {
@@ -286,16 +293,21 @@ Decomposition build_parts(const Problem& problem, const Scale& scale, const Sele
     for (std::size_t l = 0; l < result.label_in[v].size(); ++l)
       if (result.label_in[v][l] >= 0) labels.push_back(static_cast<int>(l));
   }
-  for (std::size_t c = 0; c < constraints.size(); ++c)
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (cut(c)) return {.cut = true};
     if (used(c)) compiler.add(static_cast<int>(c), constraints[c]);
+  }
   compiler.finish();
+  result.built = true;
   return result;
 }
 
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection,
-                        Cost cutoff) {
-  Decomposition result = build_parts(problem, scale, selection);
-  propagate_roots(result, bound, cutoff);
+                        Cost cutoff, Budget* budget) {
+  Decomposition result = build_parts(problem, scale, selection, budget);
+  if (!result.built) return result;
+  propagate_roots(result, bound, cutoff, budget);
+  result.cut = budget != nullptr && budget->out_of_time();
   return result;
 }
 

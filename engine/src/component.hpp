@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "budget.hpp"
 #include "network.hpp"
 #include "scale.hpp"
 #include "scenelore/engine/problem.hpp"
@@ -38,6 +39,8 @@ struct Decomposition {
   std::vector<std::vector<int>> label_in;   ///< of each label of each variable its number in the component, −1 = none
   Cost constant = 0;                        ///< constraints that no variable can change
   int broken = -1;                          ///< a hard one of these, −1 = none
+  bool cut = false;                         ///< time ran out: nothing was built, or `built` but not propagated to the end
+  bool built = false;
 };
 
 /// Which of `count` variables hang together.
@@ -58,10 +61,11 @@ struct Selection {
 };
 
 /// Networks are not closed yet.
-Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection = {});
+Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection = {},
+                          Budget* budget = nullptr);
 
 /// The same with closed networks. Each is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection = {},
-                        Cost cutoff = kTop / 2);
+                        Cost cutoff = kTop / 2, Budget* budget = nullptr);
 
 }  // namespace scenelore::engine

@@ -2,6 +2,7 @@
 // de Givry, Heras, Zytnicki, Larrosa (IJCAI 2005), extended to requirements and cardinalities.
 #include <algorithm>
 
+#include "budget.hpp"
 #include "network.hpp"
 
 namespace scenelore::engine {
@@ -289,11 +290,18 @@ bool Network::existential(int v) {
   return commit(v);
 }
 
+bool Network::out_of_time() {
+  constexpr unsigned kStepsBetweenLooks = 64;
+  if (budget_ == nullptr || ++steps_ % kStepsBetweenLooks != 0) return false;
+  return budget_->out_of_time();
+}
+
 bool Network::propagate() {
   failed_constraint_ = failed_variable_ = -1;
   bound_rose_ = true;
   for (;;) {
     if (bound() >= limit_) return fail(-1);
+    if (out_of_time()) return true;
     int v = -1;
     if ((v = reduced_.pop_min()) >= 0) {
       if (!arcs_from(v)) return false;
@@ -343,17 +351,17 @@ bool Network::turn_to_and_fro(int most_turns, int most_idle) {
 }
 
 /// At the root, which is worth the time, all that there is. Below it costs are spread already: pushing them to and fro
-/// would undo that, and diffusion alone goes on from there. It does not know cardinalities.
+/// would undo that, and diffusion alone goes on from there.
 bool Network::strengthen(Place place) {
   const bool diffuses = shifting_ && !(binary_.empty() && requirements_.empty());
-  pushing_ = place == Place::root || !diffuses || !cardinalities_.empty();
+  const bool root = place == Place::root;
+  pushing_ = root || !diffuses;
   if (!propagate()) return false;
   if (!shifting_) return true;
-  if (place == Place::root && !turn_to_and_fro(8, 2)) return false;
-  if (place != Place::root && !cardinalities_.empty() && !turn_to_and_fro(1, 1)) return false;
+  if (pushing_ && !turn_to_and_fro(root ? 8 : 1, root ? 2 : 1)) return false;
   if (!diffuses) return true;
   pushing_ = false;
-  return place == Place::root ? diffuse(60, 1024, 3) : diffuse(10, 4, 1);
+  return root ? diffuse(60, 1024, 3) : diffuse(10, 4, 1);
 }
 
 }  // namespace scenelore::engine

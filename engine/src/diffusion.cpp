@@ -111,10 +111,14 @@ bool Network::diffuse(int most_passes, Cost part, int most_idle) {
   int idle = 0;
   for (int pass = 0; pass < most_passes && idle < most_idle; ++pass) {
     const Cost before = bound();
-    for (const BinaryFunction& f : binary_)
+    for (const BinaryFunction& f : binary_) {
       if (!diffuse(f)) return false;
-    for (std::size_t r = 0; r < requirements_.size(); ++r)
+      if (out_of_time()) return true;
+    }
+    for (std::size_t r = 0; r < requirements_.size(); ++r) {
       if (!diffuse(static_cast<int>(r))) return false;
+      if (out_of_time()) return true;
+    }
     if (!propagate()) return false;
     const Cost room = is_forbidden(limit_) ? bound() : limit_ - bound();
     idle = bound() - before <= std::max(least_gain_, room / part) ? idle + 1 : 0;

@@ -51,9 +51,11 @@ struct Solver::Implementation {
 
   // --- which part of the problem is looked at ---
   /// Makes `parts` hold all worlds cheaper than `limit`.
-  void reach(Cost limit);
+  /// False: time ran out before anything was built; everything is as before.
+  bool reach(Cost limit, Budget& budget);
+  Solution unbuilt(const Assumptions& assumptions, const Budget& budget) const;
   /// The limit below which at least one world that agrees with the assumptions is found without search; kTop = none.
-  Cost upper_limit(const Assumptions& assumptions);
+  Cost upper_limit(const Assumptions& assumptions, Budget& budget);
   /// Cost of the best world, once it is proved.
   Cost optimum() const;
   /// Labels that can occur in a world cheaper than `limit` or do occur in one that is known; empty = all.

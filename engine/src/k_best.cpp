@@ -91,7 +91,10 @@ Worlds Solver::Implementation::k_best_worlds(int k, Budget& budget) {
   for (const double nats : {2.0, 10.0, std::numeric_limits<double>::infinity()}) {
     if (best_world.empty() && std::isfinite(nats)) continue;
     const Cost limit = std::isinf(nats) ? kTop / 2 : optimum() + scale.whole(nats);
-    reach(limit);
+    if (!reach(limit, budget)) {
+      all.exact = false;
+      break;
+    }
     all = {.worlds = {{parts.constant, std::vector<int>(problem.variables().size(), -1)}}, .exact = true};
     for (Component& component : parts.components) {
       const Worlds part = k_best(component, k, budget, is_forbidden(limit) ? limit : component.best_cost + scale.whole(nats));

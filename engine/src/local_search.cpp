@@ -61,10 +61,12 @@ std::vector<int> LocalSearch::begin(const Assumptions& assumptions, const std::v
   return assignment;
 }
 
-void LocalSearch::descend(std::vector<int>& assignment) {
+void LocalSearch::descend(std::vector<int>& assignment, Budget& budget) {
+  constexpr int kLeastSweeps = 4;  // these come first, so that there is something to keep
   constexpr int kMostSweeps = 100;
   bool changed = true;
   for (int sweep = 0; changed && sweep < kMostSweeps; ++sweep) {
+    if (sweep >= kLeastSweeps && budget.out_of_time()) return;
     changed = false;
     for (std::size_t v = 0; v < assignment.size(); ++v) {
       if (std::count(allowed_[v].begin(), allowed_[v].end(), 1) < 2) continue;

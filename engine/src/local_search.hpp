@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "budget.hpp"
 #include "scenelore/engine/problem.hpp"
 #include "scenelore/engine/solver.hpp"
 
@@ -16,8 +17,9 @@ class LocalSearch {
   /// The cheapest labels that the assumptions leave, or `start` as far as they leave it.
   std::vector<int> begin(const Assumptions& assumptions, const std::vector<int>& start = {});
   /// Changes one label at a time for the better until there is none; labels that the last begin() ruled out stay out.
-  /// Broken hard constraints count as dearer than everything else, so that the result may break some.
-  void descend(std::vector<int>& assignment);
+  /// Broken hard constraints count as dearer than everything else, so that the result may break some. Ends early when time
+  /// runs out, but not before the fourth look at each variable.
+  void descend(std::vector<int>& assignment, Budget& budget);
 
  private:
   /// Cost of each label of v, everything else as it is.

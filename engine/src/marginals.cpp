@@ -34,8 +34,15 @@ Marginals Solver::Implementation::marginals(int most_worlds) {
   Budget budget(options.limits);
   Marginals result;
   for (const Variable& variable : problem.variables()) result.probability.emplace_back(variable.labels.size(), 0.0);
-  if (solve({}, budget).outcome == Outcome::infeasible) return result;
-  reach(kTop / 2);
+  const Solution solved = solve({}, budget);
+  if (solved.outcome == Outcome::infeasible) return result;
+  if (!reach(kTop / 2, budget)) {  // no time: the best world that is known
+    for (std::size_t v = 0; v < solved.assignment.size(); ++v)
+      result.probability[v][static_cast<std::size_t>(solved.assignment[v])] = 1;
+    result.exact = false;
+    result.covered = 0;
+    return result;
+  }
   for (Component& component : parts.components) {
     const auto row = [&](std::size_t v) -> std::vector<double>& {
       return result.probability[static_cast<std::size_t>(component.variables[v])];

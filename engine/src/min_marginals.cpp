@@ -66,7 +66,10 @@ MinMarginals Solver::Implementation::min_marginals() {
   if (solved.outcome == Outcome::proved) {
     for (const double nats : {5.0, 20.0, std::numeric_limits<double>::infinity()}) {
       const Cost limit = std::isinf(nats) ? kTop / 2 : optimum() + scale.whole(nats);
-      reach(limit);
+      if (!reach(limit, budget)) {
+        values.exact = false;
+        break;
+      }
       for (Component& component : parts.components) literal_costs(component, limit, budget, values);
       if (!values.exact) break;
       floor = limit;

@@ -30,7 +30,7 @@ void Solver::Implementation::meet(const std::vector<int>& assignment, double cos
   met.emplace_back(cost, assignment);
 }
 
-Cost Solver::Implementation::upper_limit(const Assumptions& assumptions) {
+Cost Solver::Implementation::upper_limit(const Assumptions& assumptions, Budget& budget) {
   if (options.bound == Bound::paper) return kTop / 2;
   const auto cheapest = [&] {
     double least = assumptions.below;
@@ -48,7 +48,7 @@ Cost Solver::Implementation::upper_limit(const Assumptions& assumptions) {
   if (!is_forbidden(limit)) return limit;
   if (!local_search) local_search.emplace(problem);
   std::vector<int> assignment = local_search->begin(assumptions, best_world);
-  local_search->descend(assignment);
+  local_search->descend(assignment, budget);
   const Check checked = check(problem, assignment);
   if (checked.valid && agrees(assignment, assumptions)) meet(assignment, checked.cost);
   return cheapest();
@@ -84,15 +84,30 @@ Cost Solver::Implementation::optimum() const {
   return sum;
 }
 
-void Solver::Implementation::reach(Cost limit) {
+bool Solver::Implementation::reach(Cost limit, Budget& budget) {
   if (options.bound == Bound::paper) limit = kTop / 2;
-  if (limit <= cutoff) return;
+  if (limit <= cutoff) return true;
   if (!best_world.empty() && !is_forbidden(limit)) {  // at least twice as far as before, so that there are few steps
     if (cutoff > 0) limit = std::max(limit, 2 * cutoff - optimum());
   }
-  parts = decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit);
-  cutoff = is_forbidden(limit) ? kTop : limit;
+  Decomposition next =
+      decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit, &budget);
+  if (!next.built) return false;
+  parts = std::move(next);
+  cutoff = parts.cut ? -1 : is_forbidden(limit) ? kTop : limit;  // what was cut short is made anew next time
   for (Component& component : parts.components) seed(component);
+  return true;
+}
+
+/// What is known when time runs out before there is anything to search.
+Solution Solver::Implementation::unbuilt(const Assumptions& assumptions, const Budget& budget) const {
+  Cost least = 0;
+  for (const Variable& variable : problem.variables())
+    least = std::min(least + scale.whole(*std::min_element(variable.costs.begin(), variable.costs.end())), kTop);
+  const std::pair<double, std::vector<int>>* best = nullptr;
+  for (const auto& known : met)
+    if (known.first < assumptions.below && agrees(known.second, assumptions) && (best == nullptr || known < *best)) best = &known;
+  return finish(best == nullptr ? std::vector<int>() : best->second, false, least, budget);
 }
 
 /// What is known of the whole problem, in terms of one component.

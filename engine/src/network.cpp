@@ -189,7 +189,7 @@ void Network::close() {
 Cost Network::common_divisor() const {
   Cost divisor = 0;
   const auto add = [&divisor](Cost cost) {
-    if (!is_forbidden(cost)) divisor = std::gcd(divisor, cost);
+    if (divisor != 1 && !is_forbidden(cost)) divisor = std::gcd(divisor, cost);
   };
   for (const Cost cost : original_) add(cost);
   for (const BinaryFunction& f : binary_)

@@ -23,6 +23,7 @@
 
 namespace scenelore::engine {
 
+class Budget;
 class ProofLog;
 
 /// Cost of each pair of labels of two variables.
@@ -110,6 +111,8 @@ class Network {
   void set_shifting(bool on) { shifting_ = on; }
   /// From now on each step is told to `log` (nullptr: to nobody), and labels go only when the shifts that show it are made.
   void set_log(ProofLog* log) { log_ = log; }
+  /// From now on propagation ends early, with what it has, when this is out of time (nullptr: it does not).
+  void set_budget(Budget* budget) { budget_ = budget; }
   /// Calls visit(cell, function, variable, label) for the cell of each shift; a function is a BinaryFunction,
   /// RequirementFunction or CardinalityFunction.
   void for_each_shift(const auto& visit) const;
@@ -209,6 +212,7 @@ class Network {
   bool strike(int v, int label);
   /// Whether a label that would get `amount`, and cost `total` then, goes at once.
   bool goes(Cost amount, Cost total) const { return is_forbidden(amount) || (log_ == nullptr && total >= limit_); }
+  bool out_of_time();
   bool settle(int v);
   bool settle_all();
   void turn_order();
@@ -300,6 +304,8 @@ class Network {
   bool shifting_ = true;
   bool pushing_ = true;  ///< false: costs go from functions to labels only, as when diffusion does the rest
   ProofLog* log_ = nullptr;
+  Budget* budget_ = nullptr;
+  unsigned steps_ = 0;  ///< since the last look at the budget
   Cost limit_ = kTop;
   Cost least_gain_ = 1;
   Cost granularity_ = 1;  ///< a common divisor of all finite costs

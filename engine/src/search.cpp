@@ -9,19 +9,6 @@
 
 namespace scenelore::engine {
 
-bool Budget::exhausted() {
-  if (exhausted_) return true;
-  if (nodes >= limits_.nodes || (limits_.interrupt != nullptr && limits_.interrupt->load(std::memory_order_relaxed)))
-    exhausted_ = true;
-  else if (limits_.seconds < std::numeric_limits<double>::infinity() && seconds() >= limits_.seconds)
-    exhausted_ = true;
-  return exhausted_;
-}
-
-double Budget::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
   SearchResult result;
   result.cost = limit;
@@ -104,6 +91,7 @@ void Search::round() {
 
 void Search::burst(const Open& open) {
   const int base = network_.level();
+  network_.set_budget(&budget_);
   network_.push();
   path_ = open.path;
   frames_.clear();
@@ -166,6 +154,7 @@ void Search::burst(const Open& open) {
   }
   if (log_ != nullptr) log_->finish();
   while (network_.level() > base) network_.pop();
+  network_.set_budget(nullptr);
 }
 
 /// The other branches of all frames become open nodes, the deepest first.

@@ -4,33 +4,17 @@
 // backtracks, which gives good assignments early; what is left of that burst goes back to the list.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <queue>
 #include <vector>
 
+#include "budget.hpp"
 #include "cost.hpp"
 #include "network.hpp"
 #include "scenelore/engine/solver.hpp"
 
 namespace scenelore::engine {
-
-/// Time, nodes and interruption, shared by all searches of one call.
-class Budget {
- public:
-  explicit Budget(const Limits& limits) : limits_(limits), start_(std::chrono::steady_clock::now()) {}
-  bool exhausted();
-  double seconds() const;
-
-  std::uint64_t nodes = 0, backtracks = 0;
-
- private:
-  Limits limits_;
-  std::chrono::steady_clock::time_point start_;
-  bool exhausted_ = false;
-};
 
 /// A branch: the variable has the label, or has not.
 struct Decision {

@@ -170,8 +170,8 @@ Solution Solver::Implementation::solve(const Assumptions& assumptions, Budget& b
   for (const auto* literals : {&assumptions.fixed, &assumptions.forbidden})
     for (const Literal& literal : *literals) require_literal(problem, literal);
   const Cost below = std::min(scale.whole(std::max(assumptions.below, 0.0)), kTop / 2);
-  const Cost limit = std::min(below, upper_limit(assumptions));
-  reach(limit);
+  const Cost limit = std::min(below, upper_limit(assumptions, budget));
+  if (!reach(limit, budget)) return unbuilt(assumptions, budget);
   const auto none_below = [&] {
     return is_forbidden(below) ? finish({}, true, kTop, budget) : finish({}, false, below, budget);
   };

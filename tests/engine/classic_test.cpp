@@ -122,6 +122,29 @@ TEST(Solver, LimitsLeaveAnIncumbentAndABound) {
   EXPECT_LE(stopped.lower_bound, optimum_at_least + 1e-6);
 }
 
+TEST(Solver, HasAnAnswerAlsoWhenTimeEndsBeforeTheSearchCanBegin) {
+  const Problem problem = testing::plane_problem(4, {.planes = 300, .truth = 4});
+  Solver solver(problem, {.limits = {.seconds = 0}});
+  const Solution solution = solver.solve();
+  ASSERT_EQ(solution.outcome, Outcome::feasible);
+  EXPECT_TRUE(check(problem, solution.assignment).valid);
+  EXPECT_LE(solution.lower_bound, solution.cost);
+  EXPECT_GT(solution.lower_bound, 0);
+  EXPECT_FALSE(solver.min_marginals().exact);
+  EXPECT_FALSE(solver.marginals().exact);
+  EXPECT_LE(solver.k_best(2).size(), 1u);
+  EXPECT_EQ(solver.solve().cost, solution.cost);
+}
+
+TEST(Solver, HonoursItsTimeWhileTheRootIsMade) {
+  const Problem problem = testing::plane_problem(5, {.planes = 400, .truth = 0});
+  for (const double seconds : {0.0, 0.05, 0.2}) {
+    const Solution solution = Solver(problem, {.limits = {.seconds = seconds}}).solve();
+    EXPECT_TRUE(solution.outcome == Outcome::feasible || solution.outcome == Outcome::stopped);
+    EXPECT_LT(solution.seconds, seconds + 2) << "2 s for a machine that is busy";
+  }
+}
+
 TEST(Solver, BelowCutsOffWhatIsOfNoInterest) {
   const Problem problem = testing::plane_problem(1, {.planes = 30});
   Solver solver(problem);
