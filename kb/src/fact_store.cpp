@@ -34,12 +34,12 @@ std::string digest(Facts facts) {
 
 std::map<std::string, RelationAsked> read_asked(const Database& database, ScanId scan) {
   Statement select = database.prepare(
-      "SELECT relation, asked, held, within, within_plan, inputs_sha256, facts_sha256 FROM relation_asked WHERE scan_id = ?");
+      "SELECT relation, asked, held, within, within_plan, inputs_sha256, facts_sha256, features FROM relation_asked WHERE scan_id = ?");
   std::map<std::string, RelationAsked> out;
   auto row = select.use();
   for (row(scan); row.next();) {
     out[row.text(0)] = {row.integer(1), row.integer(2), row.optional_real(3).value_or(kNoLimit),
-                        row.optional_real(4).value_or(kNoLimit), row.text(5), row.text(6)};
+                        row.optional_real(4).value_or(kNoLimit), row.text(5), row.text(6), row.text(7)};
   }
   return out;
 }
@@ -170,12 +170,12 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
     if (!kept(relation)) forget.use()(scan)(relation).run();
   }
   Statement note = database.prepare(
-      "INSERT INTO relation_asked (scan_id, relation, asked, held, within, within_plan, inputs_sha256, facts_sha256) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+      "INSERT INTO relation_asked (scan_id, relation, asked, held, within, within_plan, inputs_sha256, facts_sha256, features) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [relation, asked] : inference.asked) {
     if (kept(relation)) continue;
     note.use()(scan)(relation)(asked.asked)(asked.held)(limit(asked.within))(limit(asked.within_plan))(asked.inputs_sha256)(
-        digest(wanted[relation])).run();
+        digest(wanted[relation]))(asked.features).run();
   }
 }
 
@@ -190,6 +190,41 @@ void replace_geometry(Database& database, ScanId scan, const StoredGeometry& geo
   }
   database.prepare("INSERT OR REPLACE INTO pair_geometry (scan_id, inputs_sha256, answers) VALUES (?, ?, ?)")
       .use()(scan)(geometry.inputs_sha256)(std::as_bytes(std::span(geometry.answers))).run();
+}
+
+namespace {
+
+std::string as_text(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+std::map<std::string, StoredAnswer> read_rule_answers(const Database& database, ScanId scan) {
+  Statement select = database.prepare("SELECT rule, features, inputs_sha256, answers FROM rule_answer WHERE scan_id = ?");
+  std::map<std::string, StoredAnswer> out;
+  auto row = select.use();
+  for (row(scan); row.next();) out[row.text(0)] = {row.text(1), row.text(2), as_text(row.blob(3))};
+  return out;
+}
+
+}  // namespace
+
+void replace_rule_answers(Database& database, ScanId scan, const Inference& inference) {
+  if (inference.rule_answers.empty()) return;
+  const std::map<std::string, StoredAnswer> before = read_rule_answers(database, scan);
+  if (before == inference.rule_answers) return;
+  Statement remove = database.prepare("DELETE FROM rule_answer WHERE scan_id = ? AND rule = ?");
+  for (const auto& [rule, answer] : before) {
+    const auto now = inference.rule_answers.find(rule);
+    if (now == inference.rule_answers.end() || now->second != answer) remove.use()(scan)(rule).run();
+  }
+  Statement insert = database.prepare("INSERT INTO rule_answer (scan_id, rule, features, inputs_sha256, answers) VALUES (?, ?, ?, ?, ?)");
+  for (const auto& [rule, answer] : inference.rule_answers) {
+    const auto old = before.find(rule);
+    if (old != before.end() && old->second == answer) continue;
+    insert.use()(scan)(rule)(answer.features)(answer.inputs_sha256)(std::as_bytes(std::span(answer.answers))).run();
+  }
+}
+
+std::map<std::string, StoredAnswer> KnowledgeBase::rule_answers(ScanId scan) const {
+  return read_rule_answers(implementation_->database, scan);
 }
 
 StoredGeometry KnowledgeBase::pair_geometry(ScanId scan) const {

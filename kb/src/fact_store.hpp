@@ -10,7 +10,8 @@ namespace scenelore::kb {
 /// same as before are left alone.
 void replace_facts(Database& database, ScanId scan, const Inference& inference);
 
-/// Written only when it has changed; empty leaves what is there.
+/// Both are written only where they have changed; empty leaves what is there.
+void replace_rule_answers(Database& database, ScanId scan, const Inference& inference);
 void replace_geometry(Database& database, ScanId scan, const StoredGeometry& geometry);
 
 }  // namespace scenelore::kb

@@ -152,6 +152,7 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   replace_evidence(database, scan, inference);
   replace_facts(database, scan, inference);
   replace_geometry(database, scan, inference.geometry);
+  replace_rule_answers(database, scan, inference);
   insert_labels(database, run, inference);
   replace_objects(database, run, inference);
   replace_reasons(database, run, inference.reasons);

@@ -64,10 +64,17 @@ local function meant(word, known)
   return found and format("; did you mean '%s'?", found) or ""
 end
 
+local patterns = "; rules have no pattern functions, which can run for ever"
+local left_out = {
+  string = { find = patterns, match = patterns, gmatch = patterns, gsub = patterns, rep = "; its result could be of any size" },
+  math = { random = "; the same planes give the same answer", randomseed = "; the same planes give the same answer" },
+}
+
 -- A table that answers unknown names with an error instead of nil.
 local function strict(t, what)
   return setmetatable(t, { __metatable = false, __index = function(_, key)
-    error(format("%s has no '%s'%s", what, tostring(key), meant(key, sorted_keys(t))), 2)
+    local why = left_out[what] and left_out[what][key]
+    error(format("%s has no '%s'%s", what, tostring(key), why or meant(key, sorted_keys(t))), 2)
   end })
 end
 

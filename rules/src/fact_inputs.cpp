@@ -1,5 +1,7 @@
 #include "fact_inputs.hpp"
 
+#include <algorithm>
+
 #include "lua_files.hpp"
 #include "scenelore/kb/sha256.hpp"
 
@@ -45,13 +47,33 @@ void add(Bytes& bytes, const perception::Plane& plane) {
 
 }  // namespace
 
-std::string digest(const Scene& scene) {
+SceneDigest::SceneDigest(const Scene& scene) : scene_(scene) {
   Bytes bytes;
   bytes.count(scene.planes.size());
   for (const kb::PlaneId id : scene.ids) bytes.count(static_cast<std::size_t>(id));
   for (const perception::Plane& plane : scene.planes) add(bytes, plane);
-  for (const std::string& name : scene.features.names) bytes.text(name);
-  for (const std::vector<double>& row : scene.features.values) bytes.vector(row);
+  planes_ = kb::sha256_of(bytes.all());
+}
+
+std::string SceneDigest::with(const std::string& features) const {
+  if (features.empty()) return planes_;
+  Bytes bytes;
+  bytes.text(planes_);
+  const std::vector<std::string>& names = scene_.features.names;
+  for (std::size_t begin = 0, end = 0; begin < features.size(); begin = end + 1) {
+    end = std::min(features.find('\n', begin), features.size());
+    const std::string name = features.substr(begin, end - begin);
+    bytes.text(name);
+    if (name == "?") {
+      for (const std::string& known : names) bytes.text(known);
+      continue;
+    }
+    const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    for (const std::vector<double>& row : scene_.features.values) {
+      bytes.count(column < row.size() ? 1 : 0);
+      if (column < row.size()) bytes.number(row[column]);
+    }
+  }
   return kb::sha256_of(bytes.all());
 }
 

@@ -7,8 +7,19 @@
 
 namespace scenelore::rules {
 
-/// Of everything that Lua can see of the planes: ids, fields, features, outlines.
-[[nodiscard]] std::string digest(const Scene& scene);
+/// Of what Lua can see of the planes of a scene, which must live as long.
+class SceneDigest {
+ public:
+  explicit SceneDigest(const Scene& scene);
+  /// Of ids, fields and outlines, which every rule may look at.
+  [[nodiscard]] const std::string& planes() const { return planes_; }
+  /// Of those, and of the named features of the catalogue (one name a line; see RuleFile::features_read).
+  [[nodiscard]] std::string with(const std::string& features) const;
+
+ private:
+  const Scene& scene_;
+  std::string planes_;
+};
 
 /// Of a relation's text and the settings for it, the planes (their digest) and the program that answers it.
 [[nodiscard]] std::string fact_inputs(const RuleSource& relation, const Overrides& settings, const std::string& planes);

@@ -40,6 +40,7 @@ void write_answers(Writer& out, const RuleAnswers& answers) {
     out.number(asked.within_plan);
     out.text(asked.inputs_sha256);
     out.text(asked.facts_sha256);
+    out.text(asked.features);
   }
   out.number(answers.facts.constraints.size());
   for (const TupleConstraint& c : answers.facts.constraints) {
@@ -95,6 +96,7 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
     asked.within_plan = in.number<double>();
     asked.inputs_sha256 = in.text();
     asked.facts_sha256 = in.text();
+    asked.features = in.text();
     out.facts.reach[relation] = {asked.within, asked.within_plan};
   }
   for (std::size_t i = 0, n = in.count(); i < n; ++i) {
@@ -121,11 +123,13 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
 RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
                    const KnownAnswers& known) {
   RuleAnswers out;
-  out.features = rules.features();
-  rules.compute_features(scene, scene.features);
+  out.features = rules.new_features(knowledge);
+  KeptAnswers kept{known.rules};
+  rules.compute_features(scene, scene.features, &kept);
   out.table = scene.features;
   out.facts = rules.relate(scene, used_relations(knowledge, rules), known);
-  out.facts.constraints = rules.constraints(scene, knowledge, &out.facts.geometry);
+  out.facts.constraints = rules.constraints(scene, knowledge, &out.facts.geometry, &kept);
+  out.facts.answers = std::move(kept.now);
   out.hash = rules.hash();
   return out;
 }

@@ -176,6 +176,7 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   out.facts = facts.facts;
   out.asked = facts.asked;
   out.geometry = facts.geometry;
+  out.rule_answers = facts.answers;
   if (solution.assignment.empty() || scene.planes.empty()) return out;
 
   const FactIndex index(scene, facts);

@@ -117,6 +117,8 @@ int rare_plane_field(lua_State* state) {
   const kb::FeatureTable& features = host.scene->features;
   const auto column = static_cast<std::size_t>(std::find(features.names.begin(), features.names.end(), key) - features.names.begin());
   const LuaState::HostMemory memory(host.lua);
+  const std::string_view looked_at = column < features.names.size() ? key : "?";  // any other name: all that matters is that it is none
+  if (key != "normal" && !host.features_read.contains(looked_at)) host.features_read.emplace(looked_at);
   if (key == "normal") {
     push_normal(host, host.scene->planes[index].normal);
   } else if (index < features.values.size() && column < std::min(features.names.size(), features.values[index].size())) {
@@ -225,6 +227,7 @@ void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
   lua_State* state = host.lua.get();
   host.scene = scene;
   host.geometry = geometry;
+  if (scene != nullptr) host.features_read.clear();
   luaL_unref(state, LUA_REGISTRYINDEX, host.planes);
   lua_createtable(state, scene == nullptr ? 0 : static_cast<int>(scene->planes.size()), 0);
   host.planes = luaL_ref(state, LUA_REGISTRYINDEX);

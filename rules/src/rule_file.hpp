@@ -42,6 +42,10 @@ class RuleFile {
   /// Of a constraint over several planes; nothing where it does not apply.
   std::optional<double> degree(const std::vector<int>& planes);
 
+  /// Features of the catalogue that the file asked planes for since look_at: names, one a line, rising; "?"
+  /// for names that are none.
+  [[nodiscard]] std::string features_read() const;
+
   /// Pushes the checked function behind degree or value.
   void push_ask() { lua_rawgeti(host_->lua.get(), LUA_REGISTRYINDEX, ask_); }
   [[nodiscard]] RuleHost& host() { return *host_; }

@@ -4,6 +4,7 @@
 #include <lua.hpp>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct RuleHost {
   std::map<std::string, Overrides> overrides;    ///< by relation
   const Scene* scene = nullptr;
   PairGeometry* geometry = nullptr;
+  std::set<std::string, std::less<>> features_read;  ///< of the catalogue, since set_scene; "?" = some name that it lacks
   int planes = LUA_NOREF;                        ///< registry: table of the planes pushed so far
   int environment = LUA_NOREF;                   ///< registry: globals of the file
 };

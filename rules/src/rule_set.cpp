@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <set>
@@ -123,11 +124,13 @@ struct RuleSet::Implementation {
     return entry.file ? entry.file->relation().converse : converse_in(entry.source.text);
   }
 
-  [[nodiscard]] std::string inputs(const std::string& name, const std::string& planes) {
+  /// Names all that a relation's facts depend on, when it looked at these features.
+  [[nodiscard]] std::string inputs(const std::string& name, const SceneDigest& scene, const std::string& looked_at) {
     const auto found = overrides.find(name);
-    const std::string own = fact_inputs(relation_entry(name).source, found == overrides.end() ? Overrides{} : found->second, planes);
+    const std::string own =
+        fact_inputs(relation_entry(name).source, found == overrides.end() ? Overrides{} : found->second, scene.with(looked_at));
     const std::optional<std::string> other = mirrored(name);
-    return other ? kb::sha256_of(own + inputs(*other, planes)) : own;
+    return other ? kb::sha256_of(own + inputs(*other, scene, looked_at)) : own;
   }
 
   void check_total(const RuleFile& file, Clock::time_point start, std::int64_t asked) const {
@@ -203,6 +206,16 @@ std::vector<kb::Feature> RuleSet::features() const {
   return out;
 }
 
+std::vector<kb::Feature> RuleSet::new_features(const kb::Knowledge& knowledge) const {
+  std::vector<kb::Feature> out;
+  for (auto& [name, entry] : implementation_->features) {
+    const std::string& wanted = name;
+    const bool known = std::any_of(knowledge.features.begin(), knowledge.features.end(), [&](const kb::Feature& f) { return f.name == wanted; });
+    if (!known) out.push_back(implementation_->file(entry).feature());
+  }
+  return out;
+}
+
 std::string RuleSet::hash() const {
   kb::Sha256 hash;
   const auto add = [&](std::string_view text) {
@@ -222,22 +235,66 @@ std::string RuleSet::hash() const {
   return hash.hex();
 }
 
-void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table) {
+namespace {
+
+template <typename T>
+void put(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// Takes a value from the front; the bytes must be enough.
+template <typename T>
+T take(std::string_view& bytes) {
+  T value;
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+  return value;
+}
+
+/// The answers of the run before to a rule, if it was the same rule about the same planes; they are kept on. Else nullptr.
+const kb::StoredAnswer* kept_answer(KeptAnswers* kept, const std::string& rule, const RuleSource& source, const SceneDigest& scene) {
+  if (kept == nullptr) return nullptr;
+  const auto found = kept->before.find(rule);
+  if (found == kept->before.end() || found->second.inputs_sha256 != fact_inputs(source, {}, scene.with(found->second.features))) return nullptr;
+  return &(kept->now[rule] = found->second);
+}
+
+void keep(KeptAnswers* kept, const std::string& rule, const RuleFile& file, const SceneDigest& scene, std::string answers) {
+  if (kept == nullptr) return;
+  const std::string features = file.features_read();
+  kept->now[rule] = {features, fact_inputs(file.source(), {}, scene.with(features)), std::move(answers)};
+}
+
+}  // namespace
+
+void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept) {
   PairGeometry geometry(scene.planes);
+  const SceneDigest digest(scene);  // `table` is often the scene's own: a feature may look at those before it
   table.values.resize(scene.planes.size(), std::vector<double>(table.names.size()));
   for (auto& [name, entry] : implementation_->features) {
-    RuleFile* const file = &implementation_->file(entry);
     if (std::find(table.names.begin(), table.names.end(), name) != table.names.end()) {
-      throw Error(file->source().shown + ": the feature '" + name + "' exists already; choose another name");
+      throw Error(entry.source.shown + ": the feature '" + name + "' exists already; choose another name");
     }
+    const std::string rule = "feature " + name;
+    const kb::StoredAnswer* known = kept_answer(kept, rule, entry.source, digest);
+    if (known != nullptr && known->answers.size() == scene.planes.size() * sizeof(double)) {
+      std::string_view bytes = known->answers;
+      for (std::vector<double>& row : table.values) row.push_back(take<double>(bytes));
+      table.names.push_back(name);
+      continue;
+    }
+    RuleFile* const file = &implementation_->file(entry);
     const Clock::time_point start = Clock::now();
     table.names.push_back(name);
     file->look_at(&scene, &geometry);
+    std::string answers;
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {
       implementation_->check_total(*file, start, static_cast<std::int64_t>(i));
       table.values[i].push_back(file->value(static_cast<int>(i)));
+      put(answers, table.values[i].back());
     }
     file->look_at(nullptr, nullptr);
+    keep(kept, rule, *file, digest, std::move(answers));
   }
 }
 
@@ -246,7 +303,7 @@ namespace {
 /// Geometry of the scene that remembers an earlier run's answers, when they are about the same planes.
 class KeptGeometry {
  public:
-  KeptGeometry(const Scene& scene, const std::string& planes) : inputs_(fact_inputs({}, {}, planes)), geometry_(scene.planes) {}
+  KeptGeometry(const Scene& scene, const SceneDigest& digest) : inputs_(fact_inputs({}, {}, digest.planes())), geometry_(scene.planes) {}
 
   /// The answers are taken over when the geometry is first needed.
   PairGeometry& with(const kb::StoredGeometry& known) {
@@ -283,8 +340,8 @@ void sort_by_planes(std::vector<kb::RelationFact>& facts) {
 
 Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known) {
   Facts out;
-  const std::string planes = digest(scene);
-  KeptGeometry geometry(scene, planes);
+  const SceneDigest digest(scene);
+  KeptGeometry geometry(scene, digest);
   std::vector<Box3> boxes;
   std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs;  // by reach, which many relations share
   std::map<std::string, Answer> answers;
@@ -292,9 +349,11 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
     const auto [entry, fresh] = answers.try_emplace(name);
     Answer& result = entry->second;
     if (!fresh) return result;
-    const std::string inputs = implementation_->inputs(name, planes);
     const auto found = known.facts.find(name);
-    if (found != known.facts.end() && found->second.asked.inputs_sha256 == inputs) {
+    const auto is_answered = [&](const kb::RelationAsked& asked) {
+      return asked.inputs_sha256 == implementation_->inputs(name, digest, asked.features);
+    };
+    if (found != known.facts.end() && is_answered(found->second.asked)) {
       result = {found->second.facts, found->second.asked};
       return result;
     }
@@ -302,7 +361,7 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       const Clock::time_point start = Clock::now();
       const Answer& there = self(self, *other);
       for (const kb::RelationFact& fact : there.facts) result.facts.push_back({name, fact.b, fact.a, fact.degree});
-      result.asked = {there.asked.asked, there.asked.held, there.asked.within, there.asked.within_plan, inputs, {}};
+      result.asked = there.asked;
       out.counts.push_back({.relation = name, .asked = there.asked.asked, .held = there.asked.held, .milliseconds = milliseconds_since(start)});
     } else {
       if (boxes.empty()) boxes = boxes_of(scene.planes);
@@ -311,8 +370,11 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       const auto [list, new_reach] = pairs.try_emplace({info.within, info.within_plan});
       if (new_reach) list->second = pairs_in_reach(boxes, info.within, info.within_plan);
       out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), list->second, result.facts));
-      result.asked = {out.counts.back().asked, out.counts.back().held, info.within, info.within_plan, inputs, {}};
+      result.asked = {.asked = out.counts.back().asked, .held = out.counts.back().held, .within = info.within,
+                      .within_plan = info.within_plan, .features = file.features_read()};
     }
+    result.asked.facts_sha256.clear();
+    result.asked.inputs_sha256 = implementation_->inputs(name, digest, result.asked.features);
     sort_by_planes(result.facts);
     return result;
   };
@@ -333,10 +395,37 @@ std::vector<TupleConstraint> RuleSet::declared_constraints() const {
   return out;
 }
 
-std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* known) const {
+namespace {
+
+std::string encoded(const std::vector<TupleConstraint::Tuple>& tuples) {
+  std::string bytes;
+  for (const TupleConstraint::Tuple& tuple : tuples) {
+    for (const kb::PlaneId plane : tuple.planes) put(bytes, plane);
+    put(bytes, tuple.degree);
+  }
+  return bytes;
+}
+
+/// Tuples of so many planes; nothing for bytes that are none.
+std::optional<std::vector<TupleConstraint::Tuple>> decoded(std::string_view bytes, std::size_t planes) {
+  if (bytes.size() % (8 * (planes + 1)) != 0) return std::nullopt;
+  std::vector<TupleConstraint::Tuple> out;
+  while (!bytes.empty()) {
+    TupleConstraint::Tuple& tuple = out.emplace_back();
+    for (std::size_t i = 0; i < planes; ++i) tuple.planes.push_back(take<kb::PlaneId>(bytes));
+    tuple.degree = take<double>(bytes);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* known,
+                                                  KeptAnswers* answers) const {
   std::vector<TupleConstraint> out;
   if (implementation_->tuple_constraints.empty()) return out;
-  KeptGeometry kept(scene, digest(scene));
+  const SceneDigest digest(scene);
+  KeptGeometry kept(scene, digest);
   PairGeometry& geometry = kept.with(known == nullptr ? kb::StoredGeometry{} : *known);
   const std::vector<Box3> boxes = boxes_of(scene.planes);
   for (auto& [name, entry] : implementation_->tuple_constraints) {
@@ -345,6 +434,13 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
     for (const std::string& object_class : constraint.classes) (void)require_class(knowledge, object_class, file.source().shown);
     for (const kb::ClassConstraint& row : knowledge.constraints) {
       if (row.name == name) throw Error(file.source().shown + ": the name '" + name + "' is taken by a row of class_constraint");
+    }
+    const std::string rule = "constraint " + name;
+    const kb::StoredAnswer* const before = kept_answer(answers, rule, entry.source, digest);
+    if (auto tuples = before == nullptr ? std::nullopt : decoded(before->answers, constraint.classes.size())) {
+      constraint.tuples = std::move(*tuples);
+      out.push_back(std::move(constraint));
+      continue;
     }
     const Clock::time_point start = Clock::now();
     std::int64_t asked = 0;
@@ -378,6 +474,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
       extend(extend);
     }
     file.look_at(nullptr, nullptr);
+    keep(answers, rule, file, digest, encoded(constraint.tuples));
     out.push_back(std::move(constraint));
   }
   if (known != nullptr) *known = kept.kept(*known);

@@ -182,6 +182,26 @@ TEST(KnowledgeBase, WritesOfARelationOnlyTheFactsThatDiffer) {
   EXPECT_TRUE(base.facts(scan).at("near").facts.empty());
 }
 
+TEST(KnowledgeBase, KeepsWhatRulesAnswered) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const testing::Room room = testing::room();
+  const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  Inference inference = testing::inference(base.planes(scan));
+  inference.rule_answers = {{"feature depth", {"width\n", "x", std::string("\0\1\2", 3)}}, {"constraint between", {"", "y", ""}}};
+  inference.asked = {{"near", {.asked = 12, .held = 3, .inputs_sha256 = "z", .features = "depth\n"}}};
+  base.store_inference(scan, inference);
+  EXPECT_EQ(base.rule_answers(scan), inference.rule_answers);
+  EXPECT_EQ(base.facts(scan).at("near").asked.features, "depth\n");
+  const auto kept = inference.rule_answers;
+  inference.rule_answers.clear();  // as isolated rules leave them
+  base.store_inference(scan, inference);
+  EXPECT_EQ(base.rule_answers(scan), kept);
+  inference.rule_answers = {{"feature depth", {"", "other", "1"}}};
+  base.store_inference(scan, inference);
+  EXPECT_EQ(base.rule_answers(scan), inference.rule_answers);
+}
+
 TEST(KnowledgeBase, SeesAtOnceWhatAnotherConnectionChanged) {
   const TemporaryFolder folder;
   const KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");

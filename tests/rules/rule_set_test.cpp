@@ -6,6 +6,7 @@
 #include <random>
 
 #include "pair_geometry.hpp"
+#include "tiny.hpp"
 #include "scenelore/rules/error.hpp"
 #include "scenelore/rules/made_plane.hpp"
 #include "scenelore/rules/rule_set.hpp"
@@ -208,6 +209,84 @@ TEST(Relate, AsksAgainOnlyWhatHasChanged) {
   EXPECT_EQ(asked(RuleSet::load({folder.path()}).relate(scene, names, known)), Names{"touching"});
   scene.planes[3].hull.outer[0].x() += 0.001;
   EXPECT_EQ(asked(RuleSet::load().relate(scene, names, known)), names);
+}
+
+TEST(Relate, AsksAgainOnlyRelationsThatLookAtAChangedFeature) {
+  const test::TemporaryFolder folder;
+  const auto relation = [&](const std::string& name, const std::string& body) {
+    test::write_file(folder / (name + ".lua"),
+                     "return relation { api = 1, name = '" + name + "', summary = 's', within = 2, degree = function(a, b) return " + body + " end }");
+  };
+  const auto tallness = [&](const std::string& value) {
+    test::write_file(folder / "tallness.lua", "return feature { name = 'tallness', unit = 'm', low = 0, high = 9, value = function(p) return " + value + " end }");
+  };
+  relation("taller", "a.tallness > b.tallness");
+  relation("steeper", "a.tilt_deg > b.tilt_deg and a.normal.z < 0.5");
+  relation("probing", "pcall(function() return a.depth end)");
+  const std::vector<std::string> names{"above", "probing", "steeper", "taller"};
+  const auto answers = [&](const KnownAnswers& known) {
+    RuleSet rules = RuleSet::load({folder.path()});
+    Scene scene = building(1);
+    rules.compute_features(scene, scene.features);
+    return rules.relate(scene, names, known);
+  };
+  tallness("p.z_max - p.z_min");
+  const Facts first = answers({});
+  EXPECT_EQ(first.asked.at("taller").features, "tallness\n");
+  EXPECT_EQ(first.asked.at("steeper").features, "");
+  EXPECT_EQ(first.asked.at("probing").features, "?\n");
+  const KnownAnswers known{stored(first), {}};
+  EXPECT_EQ(asked(answers(known)), std::vector<std::string>{});
+  tallness("p.z_min - p.z_max");
+  EXPECT_EQ(asked(answers(known)), std::vector<std::string>{"taller"});
+  tallness("p.z_max - p.z_min");
+  test::write_file(folder / "depth.lua", "return feature { name = 'depth', unit = 'm', low = 0, high = 9, value = function(p) return p.width end }");
+  EXPECT_EQ(asked(answers(known)), std::vector<std::string>{"probing"});
+}
+
+TEST(RuleSet, AsksFeaturesAndConstraintsOnceForTheSamePlanes) {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const std::string& depth, const std::string& weight) {
+    test::write_file(folder / "depth.lua", "return feature { name = 'depth', unit = 'm', low = 0, high = 9, value = function(p) return " + depth + " end }");
+    test::write_file(folder / "twice.lua", "return feature { name = 'twice', unit = 'm', low = 0, high = 9, value = function(p) return 2 * p.depth end }");
+    test::write_file(folder / "pair.lua", "return constraint { api = 1, name = 'pair', summary = 's', classes = { 'p', 'p' }, quantifier = 'no', weight = " + weight +
+                                              ", within = 0.2, degree = function(a, b) return a.twice > 1 and 0.5 or 0.25 end }");
+  };
+  std::map<std::string, kb::StoredAnswer> before;
+  const auto run = [&](double shift = 0) {
+    RuleSet rules = RuleSet::load({folder.path()});
+    Scene scene = building(1);
+    scene.planes[3].hull.outer[0].x() += shift;
+    KeptAnswers kept{before};
+    rules.compute_features(scene, scene.features, &kept);
+    std::vector<TupleConstraint> constraints = rules.constraints(scene, tiny::knowledge({"p"}), nullptr, &kept);
+    const auto column = std::find(scene.features.names.begin(), scene.features.names.end(), "twice") - scene.features.names.begin();
+    return std::tuple(scene.features.values[0][static_cast<std::size_t>(column)], std::move(constraints.at(0).tuples), std::move(kept.now));
+  };
+  write("1", "2");
+  auto [twice, fresh, kept] = run();
+  EXPECT_EQ(twice, 2);
+  ASSERT_FALSE(fresh.empty());
+  EXPECT_EQ(kept.at("feature twice").features, "depth\n");
+  EXPECT_EQ(kept.at("constraint pair").features, "twice\n");
+  // Other answers in their place show where they are used.
+  before = kept;
+  const double nine = 9;
+  std::memcpy(before.at("feature twice").answers.data(), &nine, sizeof nine);
+  EXPECT_EQ(std::get<0>(run()), 9);
+  before = kept;
+  before.at("constraint pair").answers.clear();
+  EXPECT_TRUE(std::get<1>(run()).empty());
+  EXPECT_EQ(std::get<1>(run(0.001)).size(), fresh.size()) << "another plane";
+  write("1", "3");
+  EXPECT_EQ(std::get<1>(run()).size(), fresh.size()) << "another file";
+  write("0.25", "2");
+  EXPECT_EQ(std::get<0>(run()), 0.5) << "a feature that it looks at";
+  EXPECT_EQ(std::get<1>(run()).at(0).degree, 0.25);
+  before.at("constraint pair") = kept.at("constraint pair");
+  before.at("constraint pair").answers.pop_back();
+  write("1", "2");
+  EXPECT_EQ(std::get<1>(run()).size(), fresh.size()) << "bytes that are no tuples";
 }
 
 using Fact = std::tuple<kb::PlaneId, kb::PlaneId, double>;

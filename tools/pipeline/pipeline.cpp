@@ -42,7 +42,7 @@ rules::Scene planes_of(const kb::KnowledgeBase& base, const kb::Scan& scan) {
 }
 
 rules::KnownAnswers known_about(const kb::KnowledgeBase& base, const kb::Scan& scan) {
-  return {base.facts(scan.id), base.pair_geometry(scan.id)};
+  return {base.facts(scan.id), base.pair_geometry(scan.id), base.rule_answers(scan.id)};
 }
 
 Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::Knowledge knowledge, rules::Scene scene,
@@ -78,7 +78,7 @@ Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::Rul
 
 kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
                          const rules::LabellingOptions& options) {
-  base.register_features(rules.features());
+  base.register_features(rules.new_features(base.knowledge()));
   return label_and_store(base, scan, assess(base, scan, rules), rules.hash(), options);
 }
 

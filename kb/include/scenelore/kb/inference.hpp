@@ -27,6 +27,7 @@ struct RelationAsked {
   double within_plan = std::numeric_limits<double>::infinity();  ///< the same seen from above
   std::string inputs_sha256;         ///< names all that the facts depend on: the same again gives the same facts
   std::string facts_sha256;          ///< of the rows, when the facts come from the knowledge base; else empty
+  std::string features;              ///< of the catalogue that the rule looked at: names, one a line
 };
 
 struct Run {
@@ -77,6 +78,13 @@ struct StoredGeometry {
   std::string answers;
 };
 
+/// What a Lua feature or constraint answered about the planes of a scan, kept for the next run: the features of the catalogue that it
+/// looked at (names, one a line), what it was found from, and bytes that only the module that wrote them reads.
+struct StoredAnswer {
+  std::string features, inputs_sha256, answers;
+  bool operator==(const StoredAnswer&) const = default;
+};
+
 /// Facts of one relation as the knowledge base holds them, by a and b.
 struct StoredFacts {
   RelationAsked asked;
@@ -99,6 +107,7 @@ struct Inference {
   std::vector<RelationFact> facts;                ///< by relation
   std::map<std::string, RelationAsked> asked;    ///< by relation
   StoredGeometry geometry;
+  std::map<std::string, StoredAnswer> rule_answers;  ///< by "feature NAME" or "constraint NAME"; empty leaves the stored ones
   std::vector<Label> labels;
   std::vector<Alternative> alternatives;
   std::vector<Reason> reasons;

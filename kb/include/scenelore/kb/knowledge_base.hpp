@@ -112,6 +112,8 @@ class KnowledgeBase {
   [[nodiscard]] std::map<std::string, StoredFacts> facts(ScanId scan) const;
   /// Empty where nothing is kept.
   [[nodiscard]] StoredGeometry pair_geometry(ScanId scan) const;
+  /// What Lua features and constraints answered in the last run, by "feature NAME" or "constraint NAME".
+  [[nodiscard]] std::map<std::string, StoredAnswer> rule_answers(ScanId scan) const;
   [[nodiscard]] std::vector<Label> labels(ScanId scan) const;
   [[nodiscard]] std::vector<Reason> reasons(PlaneId plane) const;
 

@@ -14,7 +14,7 @@ namespace scenelore::rules {
 
 /// All that labelling needs of rules, for one scene.
 struct RuleAnswers {
-  std::vector<kb::Feature> features;  ///< of Lua feature files
+  std::vector<kb::Feature> features;  ///< of Lua feature files, those that the knowledge lacks
   kb::FeatureTable table;             ///< the scene's features with theirs
   Facts facts;                        ///< of the relations that enabled rows use
   std::string hash;                   ///< RuleSet::hash
@@ -32,7 +32,7 @@ struct Isolation {
 
 /// The same in a child process, which also loads the rules. No file can grow in it (RLIMIT_FSIZE 0), it can start no other
 /// process (RLIMIT_NPROC 0, unless root asks) and gain no rights (no_new_privs). Throws Error with the child's own message,
-/// or with what ended it. Geometry to keep does not come back. What does is checked: facts about planes that are not there, or with degrees outside (0, 1],
+/// or with what ended it. Geometry and answers to keep do not come back. What does is checked: facts about planes that are not there, or with degrees outside (0, 1],
 /// are errors later on.
 [[nodiscard]] RuleAnswers answer_isolated(const std::vector<std::filesystem::path>& directories, const Budget& budget,
                                           const kb::Knowledge& knowledge, const Scene& scene,

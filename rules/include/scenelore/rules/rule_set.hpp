@@ -72,12 +72,20 @@ struct Facts {
   std::vector<TupleConstraint> constraints;  ///< of Lua files, by name
   std::map<std::string, kb::RelationAsked> asked;  ///< by relation; what the knowledge base keeps beside the facts
   kb::StoredGeometry geometry;                     ///< for the next run; empty = nothing new
+  std::map<std::string, kb::StoredAnswer> answers;  ///< of Lua features and constraints, for the next run
 };
 
 /// What the knowledge base keeps from the last run over a scan. All of it is checked against what it was found from.
 struct KnownAnswers {
   std::map<std::string, kb::StoredFacts> facts;  ///< by relation
   kb::StoredGeometry geometry;
+  std::map<std::string, kb::StoredAnswer> rules;  ///< by "feature NAME" or "constraint NAME"
+};
+
+/// Answers of the run before, and those to keep for the next one.
+struct KeptAnswers {
+  const std::map<std::string, kb::StoredAnswer>& before;
+  std::map<std::string, kb::StoredAnswer> now = {};
 };
 
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
@@ -96,16 +104,21 @@ class RuleSet {
   [[nodiscard]] std::vector<RelationInfo> relations() const;      ///< by name
   [[nodiscard]] std::string text(const std::string& relation) const;  ///< of its file; throws Error with "did you mean"
   [[nodiscard]] std::vector<kb::Feature> features() const;    ///< of Lua feature files; weight 1
+  /// Those among them that the knowledge lacks; files of others need not be run to know.
+  [[nodiscard]] std::vector<kb::Feature> new_features(const kb::Knowledge& knowledge) const;
   [[nodiscard]] std::string hash() const;                     ///< SHA-256 over names and texts
 
   /// Appends the Lua features' values to `table`; NaN where a feature does not know.
-  void compute_features(const Scene& scene, kb::FeatureTable& table);
+  /// `kept`, when given, spares asking those whose file and planes are as they were.
+  void compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept = nullptr);
   /// Which of the named relations hold between which planes; only pairs within reach are asked. A relation whose rule and
   /// planes are those of an entry of `known` is not asked at all; one that is asked finds the geometry there.
   Facts relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known = {});
   /// The constraints of Lua files with the tuples of planes that change something. Throws Error for a class that is not there,
-  /// and for a name that a row has too. `geometry`, when given, is used and brought up to date.
-  std::vector<TupleConstraint> constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* geometry = nullptr) const;
+  /// and for a name that a row has too. `geometry`, when given, is used and brought up to date; `kept` spares asking those whose file and
+  /// planes are as they were.
+  std::vector<TupleConstraint> constraints(const Scene& scene, const kb::Knowledge& knowledge, kb::StoredGeometry* geometry = nullptr,
+                                           KeptAnswers* kept = nullptr) const;
   /// Their names, without asking them anything.
   [[nodiscard]] std::vector<TupleConstraint> declared_constraints() const;
   /// The degree of one relation between two planes by index, wherever they are; for checks and tests.
