@@ -64,6 +64,8 @@ ProblemFile FileBuilder::finish() {
     }
     result.variables.push_back({variable.name, variable.labels, in_problem_[v]});
   }
+  for (std::size_t f = 0; f < functions_.size(); ++f)
+    if (auxiliaries.gone[f] != 0) functions_[f].costs = {};
   const auto each = [&](const auto& visit) {
     for (std::size_t f = 0; f < functions_.size(); ++f)
       if (auxiliaries.gone[f] == 0) visit(functions_[f]);
@@ -74,7 +76,7 @@ ProblemFile FileBuilder::finish() {
     else if (function.scope.size() > 2)
       add_many(function);
   });
-  each([&](const FileFunction& function) {
+  each([&](FileFunction& function) {
     if (function.scope.size() == 2) add_pair(function);
   });
   for (Constraint& constraint : auxiliaries.constraints) add_found(constraint);
@@ -98,9 +100,9 @@ void FileBuilder::add_found(Constraint& constraint) {
   problem_.add(constraint.name, constraint.weight, -1, constraint.body);
 }
 
-void FileBuilder::add_pair(const FileFunction& function) {
+void FileBuilder::add_pair(FileFunction& function) {
   const int a = function.scope[0], b = function.scope[1];
-  const int table = problem_.add_table(static_cast<int>(labels(a).size()), static_cast<int>(labels(b).size()), function.costs);
+  const int table = problem_.add_table(static_cast<int>(labels(a).size()), static_cast<int>(labels(b).size()), std::move(function.costs));
   problem_.add(function.name, 1, -1, PairTable{in_problem_[index(a)], in_problem_[index(b)], table});
 }
 

@@ -26,7 +26,7 @@ class FileBuilder {
 
  private:
   void add_found(Constraint& constraint);
-  void add_pair(const FileFunction& function);
+  void add_pair(FileFunction& function);  ///< takes its costs
   void add_many(const FileFunction& function);
 
   double top_ = kHard;

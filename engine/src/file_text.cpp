@@ -10,12 +10,14 @@
 namespace scenelore::engine {
 
 FileText::FileText(std::string text, std::string name, std::string_view punctuation, bool quotes)
-    : text_(std::move(text)), name_(std::move(name)), punctuation_(punctuation), quotes_(quotes) {}
+    : text_(std::move(text)), name_(std::move(name)), quotes_(quotes) {
+  for (const char c : punctuation) is_punctuation_[static_cast<unsigned char>(c)] = true;
+}
 
 void FileText::scan() {
   if (scanned_) return;
   const auto is_space = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
-  const auto is_punctuation = [&](char c) { return punctuation_.find(c) != std::string_view::npos; };
+  const auto is_punctuation = [&](char c) { return is_punctuation_[static_cast<unsigned char>(c)]; };
   while (position_ < text_.size() && is_space(text_[position_])) ++position_;
   word_begin_ = word_end_ = position_;
   quoted_ = false;
@@ -37,6 +39,16 @@ void FileText::scan() {
          !(quotes_ && text_[position_] == '"'))
     ++position_;
   word_end_ = position_;
+}
+
+std::size_t FileText::here() {
+  scan();
+  return word_begin_;
+}
+
+void FileText::go_to(std::size_t place) {
+  position_ = place;
+  scanned_ = false;
 }
 
 bool FileText::at_end() {

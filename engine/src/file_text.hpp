@@ -1,6 +1,8 @@
 // The words of a problem file, with their lines for error messages.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,11 @@ class FileText {
   FileText(std::string text, std::string name, std::string_view punctuation, bool quotes);
 
   bool at_end();
+  /// Where the next word begins, which must not be a quoted one, and back to such a place.
+  std::size_t here();
+  void go_to(std::size_t place);
+  /// After the last word that was taken.
+  std::size_t end_of_last() const { return scanned_ ? word_begin_ : position_; }
   /// The next word, left where it is; empty at the end (and for an empty quoted word).
   std::string_view peek();
   std::string_view next();
@@ -30,7 +37,7 @@ class FileText {
   void scan();
 
   std::string text_, name_;
-  std::string_view punctuation_;
+  std::array<bool, 256> is_punctuation_{};
   bool quotes_;
   std::size_t position_ = 0, word_begin_ = 0, word_end_ = 0;
   bool scanned_ = false, quoted_ = false;

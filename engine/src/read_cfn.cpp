@@ -145,29 +145,42 @@ class CfnReader {
       text_.fail("function '" + name + "' has too many tuples");
   }
 
+  /// A list of costs, or the name of a function that has one: that list is then read once more.
   void costs(const std::string& name, const Function& function) {
-    const std::size_t size = builder_.tuples(function.scope);
-    if (!text_.peek_is_quoted() && text_.accept("[")) {
-      std::vector<double> table(function.sparse ? size : 0, function.other);
-      each_item([&] {
-        if (function.sparse)
-          tuple(function, table);
-        else
-          table.push_back(text_.number("a cost"));
-        if (table.size() > size) text_.fail("function '" + name + "' has more costs than tuples");
-      });
-      if (table.size() != size)
-        text_.fail("function '" + name + "' has " + std::to_string(table.size()) + " costs for " + std::to_string(size) +
-                   " tuples");
-      for (double& cost : table) cost *= sign_;
-      table_[name] = table;
-      return builder_.add_function(name, function.scope, std::move(table));
+    if (!text_.peek_is_quoted() && text_.peek() == "[") {
+      lists_[name] = {text_.here(), function};
+      return builder_.add_function(name, function.scope, list(name, function));
     }
     const std::string other(text_.next());
-    const auto found = table_.find(other);
-    if (found == table_.end()) text_.fail("function '" + name + "': there is no function '" + other + "' to share costs of");
-    if (found->second.size() != size) text_.fail("function '" + name + "' and '" + other + "' have different sizes");
-    builder_.add_function(name, function.scope, found->second);
+    const auto found = lists_.find(other);
+    if (found == lists_.end()) text_.fail("function '" + name + "': there is no function '" + other + "' to share costs of");
+    const auto& [place, theirs] = found->second;
+    if (builder_.tuples(theirs.scope) != builder_.tuples(function.scope))
+      text_.fail("function '" + name + "' and '" + other + "' have different sizes");
+    const std::size_t after = text_.end_of_last();
+    text_.go_to(place);
+    std::vector<double> table = list(other, theirs);
+    text_.go_to(after);
+    builder_.add_function(name, function.scope, std::move(table));
+  }
+
+  std::vector<double> list(const std::string& name, const Function& function) {
+    const std::size_t size = builder_.tuples(function.scope);
+    text_.expect("[");
+    std::vector<double> table(function.sparse ? size : 0, function.other);
+    if (!function.sparse) table.reserve(size);
+    each_item([&] {
+      if (function.sparse)
+        tuple(function, table);
+      else
+        table.push_back(text_.number("a cost"));
+      if (table.size() > size) text_.fail("function '" + name + "' has more costs than tuples");
+    });
+    if (table.size() != size)
+      text_.fail("function '" + name + "' has " + std::to_string(table.size()) + " costs for " + std::to_string(size) +
+                 " tuples");
+    for (double& cost : table) cost *= sign_;
+    return table;
   }
 
   void tuple(const Function& function, std::vector<double>& table) {
@@ -193,7 +206,7 @@ class CfnReader {
   double sign_ = 1;
   std::map<std::string, int> variable_;
   std::vector<std::map<std::string, int>> label_;
-  std::map<std::string, std::vector<double>> table_;  ///< by function
+  std::map<std::string, std::pair<std::size_t, Function>> lists_;  ///< by function: where its list of costs is
 };
 
 }  // namespace
