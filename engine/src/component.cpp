@@ -260,16 +260,6 @@ Decomposition build_parts(const Problem& problem, const Scale& scale, const Sele
   const auto used = [&](std::size_t c) { return selection.constraints.empty() || selection.constraints[c] != 0; };
   Decomposition result;
   select_labels(problem, selection, result);
-  Parts parts(count);
-  for (std::size_t c = 0; c < constraints.size(); ++c) {
-    if (cut(c)) return {.cut = true};
-    if (!used(c)) continue;
-    int first = -1;
-    for_each_variable(result, constraints[c], [&](int v) {
-      if (first < 0) first = v;
-      parts.join(first, v);
-    });
-  }
   result.component_of.assign(count, -1);
   result.index_in.assign(count, -1);
   Compiler compiler(problem, scale, result);
@@ -277,8 +267,19 @@ Decomposition build_parts(const Problem& problem, const Scale& scale, const Sele
   for (std::size_t v = 0; v < count; ++v)
     for (std::size_t l = 0; l < result.label_in[v].size(); ++l)
       if (result.label_in[v][l] >= 0) costs[v].push_back(scale.whole(problem.variables()[v].costs[l]));
-  for (std::size_t c = 0; c < constraints.size(); ++c)
-    if (used(c)) compiler.unary(costs, constraints[c]);
+  Parts parts(count);
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (cut(c)) return {.cut = true};
+    if (!used(c)) continue;
+    compiler.unary(costs, constraints[c]);
+    int first = -1;
+    for_each_variable(result, constraints[c], [&](int v) {
+      if (first < 0)
+        first = v;
+      else
+        parts.join(first, v);
+    });
+  }
   for (std::size_t v = 0; v < count; ++v) {
     const auto root = index(parts.find(static_cast<int>(v)));
     if (root == v) {

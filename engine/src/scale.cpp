@@ -37,19 +37,19 @@ double worst(const Problem& problem, const Constraint& constraint) {
 
 Scale::Scale(const Problem& problem) {
   double sum = 1;
-  for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
-  for (const Constraint& constraint : problem.constraints()) sum += worst(problem, constraint);
-  int exponent = 0;
-  std::frexp(sum, &exponent);  // sum < 2^exponent
-  units_ = std::ldexp(1.0, std::min(40, 48 - exponent));
   // Half a unit a term (a cardinality may pay its weight several times), and 2^-52 of the sum a term for the real sum,
   // which is below 2^48 units.
-  double terms = 2;
+  double terms = 2 + static_cast<double>(problem.variables().size());
+  for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
   for (const Constraint& constraint : problem.constraints()) {
+    sum += worst(problem, constraint);
     const auto* cardinality = std::get_if<Cardinality>(&constraint.body);
     terms += cardinality == nullptr ? 1 : static_cast<double>(cardinality->literals.size()) + std::max(cardinality->low, 1);
   }
-  slack_ = static_cast<Cost>(std::min(0x1p50, terms + static_cast<double>(problem.variables().size())));
+  int exponent = 0;
+  std::frexp(sum, &exponent);  // sum < 2^exponent
+  units_ = std::ldexp(1.0, std::min(40, 48 - exponent));
+  slack_ = static_cast<Cost>(std::min(0x1p50, terms));
 }
 
 Cost Scale::whole(double cost) const {
