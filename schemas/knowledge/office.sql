@@ -209,7 +209,7 @@ INSERT INTO composite_part (composite, part, class, relation, orientation, fewes
   ('cabinet', 'side',  'cabinet',    'touching', 'upright', 0, 4, NULL),
   ('cabinet', 'top',   'cabinet',    'touching', 'level',   0, 1, NULL);
 
--- Fitted to 1,047 planes of the rooms of seeds 8001 to 8003 (docs/knowledge.md, "What a told probability means").
+-- Until something better is learned (docs/knowledge.md, "What a told probability means").
 INSERT INTO setting (key, value, description) VALUES
   ('probability_slope',  '0.74', 'logit of a told probability per logit of the model''s'),
   ('probability_offset', '0.16', 'what is added to it');
