@@ -60,6 +60,9 @@ struct Solver::Implementation {
   Cost optimum() const;
   /// Labels that can occur in a world cheaper than `limit` or do occur in one that is known; empty = all.
   std::vector<std::vector<char>> labels_below(Cost limit) const;
+  void add_requirements(const std::vector<const Constraint*>& requirements, const std::vector<std::vector<char>>& labels,
+                        std::vector<std::vector<Cost>>& costs) const;
+  bool strike_from(Cost limit, const std::vector<std::vector<Cost>>& costs, std::vector<std::vector<char>>& labels) const;
   void seed(Component& component) const;
   /// Notes a world that was met.
   void meet(const std::vector<int>& assignment, double cost);
