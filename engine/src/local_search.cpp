@@ -15,23 +15,45 @@ double finite_part(double cost) { return std::isfinite(cost) ? cost : 0; }
 
 }  // namespace
 
-LocalSearch::LocalSearch(const Problem& problem) : problem_(problem), first_(problem.variables().size() + 1, 0) {
+LocalSearch::LocalSearch(const Problem& problem)
+    : problem_(problem), first_(problem.variables().size() + 1, 0), first_conflict_(first_) {
   const auto& constraints = problem.constraints();
   for (const Variable& variable : problem.variables())
     for (const double cost : variable.costs) broken_ += finite_part(cost);
   for (const Constraint& constraint : constraints) {
     broken_ += finite_part(constraint.weight);
-    for_each_variable(constraint, [&](int v) { ++first_[index(v) + 1]; });
+    if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
+      ++first_conflict_[index(conflict->a.variable) + 1];
+      ++first_conflict_[index(conflict->b.variable) + 1];
+    } else {
+      for_each_variable(constraint, [&](int v) { ++first_[index(v) + 1]; });
+    }
   }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) {
+    first_[v] += first_[v - 1];
+    first_conflict_[v] += first_conflict_[v - 1];
+  }
   constraints_.resize(first_.back());
+  conflicts_.resize(first_conflict_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t c = 0; c < constraints.size(); ++c)
+  std::vector<std::size_t> next_conflict(first_conflict_.begin(), first_conflict_.end() - 1);
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (const auto* conflict = std::get_if<Conflict>(&constraints[c].body)) {
+      const double weight = std::min(constraints[c].weight, broken_);
+      const bool apart = conflict->a.variable != conflict->b.variable;
+      const auto add = [&](const Literal& mine, const Literal& other, double price) {
+        conflicts_[next_conflict[index(mine.variable)]++] = {mine.label, other, price};
+      };
+      add(conflict->a, conflict->b, apart || conflict->a == conflict->b ? weight : 0);
+      add(conflict->b, conflict->a, apart ? weight : 0);  // one that is with itself is told once
+      continue;
+    }
     for_each_variable(constraints[c], [&](int v) {
       std::size_t& place = next[index(v)];
       if (place == first_[index(v)] || constraints_[place - 1] != static_cast<int>(c))
         constraints_[place++] = static_cast<int>(c);
     });
+  }
   for (std::size_t v = 0; v < next.size(); ++v)  // a constraint may name a variable twice
     std::fill(constraints_.begin() + static_cast<std::ptrdiff_t>(next[v]),
               constraints_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]), -1);
@@ -82,22 +104,22 @@ void LocalSearch::descend(std::vector<int>& assignment, Budget& budget) {
 
 void LocalSearch::weigh(int v, const std::vector<int>& assignment) {
   price_ = problem_.variables()[index(v)].costs;
+  for (std::size_t i = first_conflict_[index(v)]; i < first_conflict_[index(v) + 1]; ++i) {
+    const OneConflict& conflict = conflicts_[i];
+    // One with itself has a price whenever it is looked at.
+    if (conflict.other.variable == v || assignment[index(conflict.other.variable)] == conflict.other.label)
+      price_[index(conflict.mine)] += conflict.price;
+  }
   for (std::size_t i = first_[index(v)]; i < first_[index(v) + 1] && constraints_[i] >= 0; ++i) {
     const Constraint& constraint = problem_.constraints()[index(constraints_[i])];
     const double weight = std::min(constraint.weight, broken_);
-    std::visit([&](const auto& body) { weigh(v, body, weight, assignment); }, constraint.body);
+    if (const auto* requirement = std::get_if<Requirement>(&constraint.body))
+      weigh(v, *requirement, weight, assignment);
+    else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body))
+      weigh(v, *cardinality, weight, assignment);
+    else
+      weigh(v, std::get<PairTable>(constraint.body), weight, assignment);
   }
-}
-
-void LocalSearch::weigh(int v, const Conflict& conflict, double weight, const std::vector<int>& assignment) {
-  if (conflict.a.variable == conflict.b.variable) {
-    if (conflict.a == conflict.b) price_[index(conflict.a.label)] += weight;
-    return;
-  }
-  const bool is_a = conflict.a.variable == v;
-  const Literal& mine = is_a ? conflict.a : conflict.b;
-  const Literal& other = is_a ? conflict.b : conflict.a;
-  if (assignment[index(other.variable)] == other.label) price_[index(mine.label)] += weight;
 }
 
 void LocalSearch::weigh(int v, const Requirement& requirement, double weight, const std::vector<int>& assignment) {

@@ -24,14 +24,22 @@ class LocalSearch {
  private:
   /// Cost of each label of v, everything else as it is.
   void weigh(int v, const std::vector<int>& assignment);
-  void weigh(int v, const Conflict& conflict, double weight, const std::vector<int>& assignment);
   void weigh(int v, const Requirement& requirement, double weight, const std::vector<int>& assignment);
   void weigh(int v, const Cardinality& cardinality, double weight, const std::vector<int>& assignment);
   void weigh(int v, const PairTable& pair, double weight, const std::vector<int>& assignment);
 
+  /// A conflict seen from one of its variables; most constraints are conflicts.
+  struct OneConflict {
+    int mine = 0;
+    Literal other{};
+    double price = 0;
+  };
+
   const Problem& problem_;
-  std::vector<std::size_t> first_;  ///< of each variable in constraints_
-  std::vector<int> constraints_;
+  std::vector<std::size_t> first_;           ///< of each variable in constraints_
+  std::vector<std::size_t> first_conflict_;  ///< of each variable in conflicts_
+  std::vector<int> constraints_;             ///< all but conflicts
+  std::vector<OneConflict> conflicts_;
   std::vector<std::vector<char>> allowed_;
   std::vector<double> price_;
   double broken_ = 1;  ///< stands for an infinite cost
