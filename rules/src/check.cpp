@@ -16,12 +16,31 @@ namespace {
 
 using kb::Quantifier;
 
+/// A desk with what stands on it, walls, floor and ceiling, some of them slanted: enough for a relation to show itself.
+Scene sample_scene() {
+  return make_scene(std::vector<MadePlane>{
+      {.center = {0, 0, 0}, .length = 5, .width = 4},
+      {.center = {0, 0, 2.6}, .normal = {0, 0, -1}, .length = 5, .width = 4},
+      {.center = {0, 2, 1.3}, .normal = {0, -1, 0}, .length = 5, .width = 2.6},
+      {.center = {2.5, 0, 1.3}, .normal = {-1, 0, 0.02}, .length = 4, .width = 2.6},
+      {.center = {0, 1.4, 0.74}, .normal = {0.02, 0, 1}, .length = 1.6, .width = 0.8},
+      {.center = {0.1, 1.5, 1.05}, .normal = {0, -1, 0.1}, .length = 0.5, .width = 0.35},
+      {.center = {0.1, 1.2, 0.77}, .normal = {0, -0.05, 1}, .length = 0.45, .width = 0.15},
+      {.center = {-1.5, 0.3, 0.45}, .length = 0.45, .width = 0.42},
+      {.center = {-1.5, 0.1, 0.8}, .normal = {0, 1, 0.2}, .length = 0.45, .width = 0.4},
+      {.center = {1.2, 1.97, 1.5}, .normal = {0, -1, 0}, .length = 1.2, .width = 0.9},
+      {.center = {-1.9, 1.2, 0.9}, .normal = {1, 0.3, 0.4}, .length = 0.8, .width = 0.5},
+  });
+}
+
 class Checker {
  public:
   Checker(const kb::Knowledge& knowledge, const RuleSet& rules) : knowledge_(knowledge), rules_(rules) {
     for (const RelationInfo& relation : rules.relations()) relations_.push_back(relation.name);
+    scene_ = sample_scene();
   }
 
+  void check_features();
   void check_row(const kb::ClassConstraint& row);
   void check_rows_against_each_other();
   void check_relations();
@@ -39,12 +58,13 @@ class Checker {
     note(true, message.substr(0, end), message.substr(end + 2));
   }
   void check_count(const kb::ClassConstraint& row, const std::string& where);
-  void check_asking(const RelationInfo& relation, const Scene& scene);
-  void check_converse(const RelationInfo& relation, const Scene& scene);
+  void check_asking(const RelationInfo& relation);
+  void check_converse(const RelationInfo& relation);
 
   const kb::Knowledge& knowledge_;
   const RuleSet& rules_;
   std::vector<std::string> relations_;
+  Scene scene_;  ///< a small room, with the features of Lua files
 };
 
 std::string where_of(const kb::ClassConstraint& row) {
@@ -106,32 +126,15 @@ void Checker::check_rows_against_each_other() {
   }
 }
 
-/// A desk with what stands on it, walls, floor and ceiling, some of them slanted: enough for a relation to show itself.
-Scene sample_scene() {
-  return make_scene(std::vector<MadePlane>{
-      {.center = {0, 0, 0}, .length = 5, .width = 4},
-      {.center = {0, 0, 2.6}, .normal = {0, 0, -1}, .length = 5, .width = 4},
-      {.center = {0, 2, 1.3}, .normal = {0, -1, 0}, .length = 5, .width = 2.6},
-      {.center = {2.5, 0, 1.3}, .normal = {-1, 0, 0.02}, .length = 4, .width = 2.6},
-      {.center = {0, 1.4, 0.74}, .normal = {0.02, 0, 1}, .length = 1.6, .width = 0.8},
-      {.center = {0.1, 1.5, 1.05}, .normal = {0, -1, 0.1}, .length = 0.5, .width = 0.35},
-      {.center = {0.1, 1.2, 0.77}, .normal = {0, -0.05, 1}, .length = 0.45, .width = 0.15},
-      {.center = {-1.5, 0.3, 0.45}, .length = 0.45, .width = 0.42},
-      {.center = {-1.5, 0.1, 0.8}, .normal = {0, 1, 0.2}, .length = 0.45, .width = 0.4},
-      {.center = {1.2, 1.97, 1.5}, .normal = {0, -1, 0}, .length = 1.2, .width = 0.9},
-      {.center = {-1.9, 1.2, 0.9}, .normal = {1, 0.3, 0.4}, .length = 0.8, .width = 0.5},
-  });
-}
-
-void Checker::check_asking(const RelationInfo& relation, const Scene& scene) {
-  const int planes = static_cast<int>(scene.planes.size());
+void Checker::check_asking(const RelationInfo& relation) {
+  const int planes = static_cast<int>(scene_.planes.size());
   bool told = false;
   for (int a = 0; a < planes; ++a) {
     for (int b = 0; b < planes; ++b) {
       if (a == b) continue;
-      const double forth = rules_.degree(relation.name, scene, a, b);
+      const double forth = rules_.degree(relation.name, scene_, a, b);
       if (!relation.symmetric || b < a || told) continue;
-      const double back = rules_.degree(relation.name, scene, b, a);
+      const double back = rules_.degree(relation.name, scene_, b, a);
       if (std::abs(forth - back) < 1e-6) continue;
       told = true;
       note(true, relation.file, "relation '" + relation.name + "' is declared symmetric, but is " + std::to_string(forth) +
@@ -142,12 +145,12 @@ void Checker::check_asking(const RelationInfo& relation, const Scene& scene) {
 }
 
 /// A converse with tolerances of its own may answer otherwise than the relation that it claims to mirror.
-void Checker::check_converse(const RelationInfo& relation, const Scene& scene) {
-  const int planes = static_cast<int>(scene.planes.size());
+void Checker::check_converse(const RelationInfo& relation) {
+  const int planes = static_cast<int>(scene_.planes.size());
   for (int a = 0; a < planes; ++a) {
     for (int b = 0; b < planes; ++b) {
       if (a == b) continue;
-      const double own = rules_.degree(relation.name, scene, a, b), other = rules_.degree(relation.converse, scene, b, a);
+      const double own = rules_.degree(relation.name, scene_, a, b), other = rules_.degree(relation.converse, scene_, b, a);
       if (std::abs(own - other) < 1e-6) continue;
       return note(false, relation.file, "relation '" + relation.name + "' is the converse of '" + relation.converse + "', but is " +
                                             number(own, 3) + " where that is " + number(other, 3) + ", since it has tolerances of its own; set them for '" +
@@ -156,12 +159,21 @@ void Checker::check_converse(const RelationInfo& relation, const Scene& scene) {
   }
 }
 
+/// Relations may ask for the features of Lua files, which the room therefore has; those that fail speak for themselves.
+void Checker::check_features() {
+  try {
+    rules_.compute_features(scene_, scene_.features);
+  } catch (const Error& error) {
+    note(true, "rules", error.what());
+    scene_ = sample_scene();
+  }
+}
+
 void Checker::check_relations() {
-  const Scene scene = sample_scene();
   for (const RelationInfo& relation : rules_.relations()) {
     try {
-      check_asking(relation, scene);
-      if (!relation.converse.empty()) check_converse(relation, scene);
+      check_asking(relation);
+      if (!relation.converse.empty()) check_converse(relation);
     } catch (const Error& error) {
       note_at_line(relation.file, error.what());
     }
@@ -195,7 +207,7 @@ void Checker::check_tuple_constraints() {
   }
   if (!speaks) return;
   try {
-    for (const TupleConstraint& c : rules_.constraints(sample_scene(), knowledge_)) {
+    for (const TupleConstraint& c : rules_.constraints(scene_, knowledge_)) {
       if (c.tuples.empty()) {
         note(false, c.file, "constraint '" + c.name + "' says nothing about any planes of a sample room (a desk with a screen and a "
                             "keyboard, chairs, walls): is 'applies' or 'within' too strict?");
@@ -238,6 +250,7 @@ std::vector<Finding> check(const kb::Knowledge& knowledge, const RuleSet& rules)
   for (Finding& finding : idle_rows(knowledge, valued)) checker.findings.push_back(std::move(finding));
   checker.check_rows_against_each_other();
   checker.check_settings();
+  checker.check_features();
   checker.check_relations();
   checker.check_tuple_constraints();
   return std::move(checker.findings);

@@ -267,7 +267,7 @@ void keep(KeptAnswers* kept, const std::string& rule, const RuleFile& file, cons
 
 }  // namespace
 
-void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept) {
+void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept) const {
   PairGeometry geometry(scene.planes);
   const SceneDigest digest(scene);  // `table` is often the scene's own: a feature may look at those before it
   table.values.resize(scene.planes.size(), std::vector<double>(table.names.size()));

@@ -238,6 +238,17 @@ TEST(Check, TellsRowsThatChangeNothingAndTheWayOut) {
   EXPECT_EQ(told().size(), 2U) << "the feature that is gone, and the lamp";
 }
 
+TEST(Check, AsksRelationsThatReadTheFeaturesOfLuaFiles) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "slender.lua",
+                   "return feature { api = 1, name = 'slender', summary = 's', unit = '1', scale = 'log', low = 1, high = 100, value = function(a) return a.length / a.width end }");
+  test::write_file(folder / "slenderer.lua", "return relation { api = 1, name = 'slenderer', summary = 's', "
+                                             "degree = function(a, b) return a.slender > b.slender end }");
+  kb::Knowledge knowledge = tiny::knowledge({"p"});
+  knowledge.constraints = {tiny::row(1, "p", Quantifier::some, "slenderer", "p", 1.0)};
+  for (const Finding& finding : check(knowledge, RuleSet::load({folder.path()}))) ADD_FAILURE() << finding.where << ": " << finding.text;
+}
+
 TEST(Check, FindsARelationThatIsNotSymmetricAfterAll) {
   const test::TemporaryFolder folder;
   test::write_file(folder / "taller.lua",

@@ -110,7 +110,7 @@ class RuleSet {
 
   /// Appends the Lua features' values to `table`; NaN where a feature does not know.
   /// `kept`, when given, spares asking those whose file and planes are as they were.
-  void compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept = nullptr);
+  void compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept = nullptr) const;
   /// Which of the named relations hold between which planes; only pairs within reach are asked. A relation whose rule and
   /// planes are those of an entry of `known` is not asked at all; one that is asked finds the geometry there.
   Facts relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known = {});
