@@ -71,6 +71,17 @@ void tidy(Database& database) {
   }
 }
 
+// A writer that was killed leaves its journal, which only a connection that may write can roll back. False where none may.
+bool roll_back(const fs::path& path) {
+  try {
+    Database database(path, OpenMode::read_write);
+    (void)check_schema(database);  // the first look at the file does it
+    return !database.read_only();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 // A file in WAL mode in a folder where nothing may be written can be read only as if it never changed; that is safe
 // when no journal lies beside it.
 bool has_no_journal(const fs::path& path) {
@@ -113,8 +124,9 @@ KnowledgeBase KnowledgeBase::open(const fs::path& path, Access access) {
     if (access == Access::read_write && !implementation->database.read_only()) {
       if (::access(path.parent_path().empty() ? "." : path.parent_path().c_str(), W_OK) == 0) throw;
     }
-    if (!has_no_journal(path)) throw;
-    implementation = std::make_unique<Implementation>(path, OpenMode::immutable);
+    const bool at_rest = has_no_journal(path);
+    if (!at_rest && !(access == Access::read_only && roll_back(path))) throw;
+    implementation = std::make_unique<Implementation>(path, at_rest ? OpenMode::immutable : mode);
     version = check_schema(implementation->database);
   }
   Database& database = implementation->database;

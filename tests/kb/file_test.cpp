@@ -108,6 +108,25 @@ TEST(KnowledgeFile, HasOnePartAtRestEvenAfterAGisSwitchedItToWal) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
+TEST(KnowledgeFile, IsRolledBackByTheFirstReaderAfterAKillThatCutAChangeInTwo) {
+  const TemporaryFolder folder;
+  const fs::path path = labelled_room(folder);
+  const std::string question = "SELECT class, feature, mean FROM class_feature ORDER BY id";
+  const auto before = ask(KnowledgeBase::open(path, Access::read_only), question);
+  const pid_t child = fork();
+  if (child == 0) {
+    Database database(path, OpenMode::read_write);
+    // A cache this small writes half the change to the file before it is committed.
+    database.execute("PRAGMA cache_size = 1; BEGIN; UPDATE class_feature SET mean = mean + 1; UPDATE class_density SET density = density * 2;");
+    kill(getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_GT(fs::file_size(path.string() + "-journal"), 0U);
+  EXPECT_EQ(ask(KnowledgeBase::open(path, Access::read_only), question), before);
+  EXPECT_FALSE(fs::exists(path.string() + "-journal"));
+}
+
 // Root may write everything, so a child without its powers looks at the read-only file. Returns the child's exit code.
 int without_powers(const std::function<int()>& action) {
   const pid_t child = fork();
