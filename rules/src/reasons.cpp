@@ -95,6 +95,21 @@ std::string feature_sentence(const std::string& described, double gain, const st
 
 }  // namespace
 
+std::vector<kb::Reason> feature_reasons(const Case& about, int plane, int object_class, int against) {
+  std::vector<kb::Reason> out;
+  if (about.scene.features.values.size() != about.scene.planes.size()) return out;
+  std::vector<std::vector<kb::Contribution>> terms =
+      kb::contributions(about.knowledge, about.scene.features, {{at(plane), at(object_class)}, {at(plane), at(against)}});
+  add_typical(about.knowledge, object_class, terms[0]);
+  const std::string &mine = about.class_name(object_class), &theirs = about.class_name(against);
+  for (const FeatureReason& reason : compared(terms[0], terms[1])) {
+    out.push_back({.plane = about.id(plane), .object_class = mine, .kind = "feature", .amount = reason.gain,
+                   .sentence = feature_sentence(describe_feature(about.knowledge, reason.term), reason.gain, mine, theirs),
+                   .term = reason.term, .against = theirs});
+  }
+  return out;
+}
+
 std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject) {
   if (difference.row >= 0) return about.quoted(about.knowledge.constraints[at(difference.row)]);
   if (difference.plane == subject) return "its features";

@@ -48,6 +48,9 @@ class Reasoner {
   std::vector<std::vector<kb::Reason>> by_plane_;
 };
 
+/// What each feature of a plane says for one class against another, strongest first; empty without features.
+[[nodiscard]] std::vector<kb::Reason> feature_reasons(const Case& about, int plane, int object_class, int against);
+
 /// "evidence of plane 3 (wall instead of door)" or the row's message: what a difference is about.
 [[nodiscard]] std::string name_difference(const Case& about, const World& to, const Difference& difference, int subject);
 

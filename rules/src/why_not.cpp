@@ -90,6 +90,7 @@ WhyNot why_not(const kb::Knowledge& knowledge, const Scene& scene, const std::ve
     out.possible = true;
     return end(" is " + object_class + " already");
   }
+  out.features = feature_reasons(about, plane, wanted, best.class_of(plane));
   const engine::Solution other = solver.solve({.fixed = {{variable, label}}, .forbidden = {}});
   if (other.assignment.empty()) {
     if (other.outcome != engine::Outcome::infeasible) return end(": the search ended at a limit before it found out");

@@ -54,13 +54,9 @@ class WhyCommand : public Command {
       print_text(scan, *label, reasons);
       return kOk;
     }
-    Json list = Json::array(), terms = Json::array();
+    Json list = Json::array();
     for (const kb::Reason& reason : reasons) {
       if (!reason.term) list.push_back(reason_json(reason));
-      if (!reason.term) continue;
-      terms.push_back({{"feature", reason.term->feature}, {"value", reason.term->value}, {"mean", finite(reason.term->mean)},
-                       {"sigma", finite(reason.term->sigma)}, {"contribution", reason.amount}, {"against", reason.against.value_or("")},
-                       {"sentence", reason.sentence}});
     }
     print(Json{{"plane", plane},
                {"scan", scan.name},
@@ -68,7 +64,7 @@ class WhyCommand : public Command {
                {"probability", label->probability},
                {"margin", finite(label->margin)},
                {"runner_up", label->runner_up ? Json(*label->runner_up) : Json(nullptr)},
-               {"features", std::move(terms)},
+               {"features", features_json(reasons)},
                {"reasons", std::move(list)}});
     return kOk;
   }
@@ -76,16 +72,31 @@ class WhyCommand : public Command {
   void print_text(const kb::Scan& scan, const kb::Label& label, const std::vector<kb::Reason>& reasons) const {
     fmt::print("plane {} of {} is a {} ({:.2f})\n", label.plane, scan.name, label.object_class, label.probability);
     if (reasons.empty()) fmt::print("no reasons are stored; `scenelore label {}` stores them\n", file_);
-    bool header = false;
     for (const kb::Reason& reason : reasons) {
       if (!reason.term) fmt::print("- {}\n", reason.sentence);
     }
+    print_features(label.object_class, reasons);
+  }
+
+  static void print_features(const std::string& object_class, const std::vector<kb::Reason>& reasons) {
+    bool header = false;
     for (const kb::Reason& reason : reasons) {
       if (!reason.term) continue;
-      if (!header) fmt::print("what each feature says, in nats for {} against {}:\n", label.object_class, reason.against.value_or("?"));
+      if (!header) fmt::print("what each feature says, in nats for {} against {}:\n", object_class, reason.against.value_or("?"));
       header = true;
       fmt::print("{:+8.2f}  {}\n", reason.amount, reason.sentence.substr(0, reason.sentence.rfind(": ")));
     }
+  }
+
+  static Json features_json(const std::vector<kb::Reason>& reasons) {
+    Json terms = Json::array();
+    for (const kb::Reason& reason : reasons) {
+      if (!reason.term) continue;
+      terms.push_back({{"feature", reason.term->feature}, {"value", reason.term->value}, {"mean", finite(reason.term->mean)},
+                       {"sigma", finite(reason.term->sigma)}, {"contribution", reason.amount}, {"against", reason.against.value_or("")},
+                       {"sentence", reason.sentence}});
+    }
+    return terms;
   }
 
   /// JSON has no infinity and no NaN: null.
@@ -99,6 +110,7 @@ class WhyCommand : public Command {
     if (!json_) {
       fmt::print("{}\n", answer.sentences.back());  // the summary
       for (std::size_t i = 0; i + 1 < answer.sentences.size(); ++i) fmt::print("- {}\n", answer.sentences[i]);
+      print_features(*object_class_, answer.features);
       return kOk;
     }
     Json changes = Json::array();
@@ -111,6 +123,7 @@ class WhyCommand : public Command {
                {"extra_cost", answer.possible ? Json(answer.extra_cost) : Json(nullptr)},
                {"changes", std::move(changes)},
                {"violated", std::move(violated)},
+               {"features", features_json(answer.features)},
                {"sentences", answer.sentences}});
     return kOk;
   }

@@ -210,6 +210,14 @@ TEST_F(RuleAuthor, AsksWhyInNumbers) {
   EXPECT_TRUE(not_floor.at("possible"));
   EXPECT_FALSE(not_floor.at("violated").empty());
   EXPECT_GT(not_floor.at("violated").at(0).at("amount"), 0);
+  // Which features speak against it, strongest first.
+  ASSERT_EQ(not_floor.at("features").size(), out.at("features").size());
+  EXPECT_EQ(not_floor.at("features").at(0).at("against"), "table");
+  EXPECT_LT(not_floor.at("features").at(0).at("contribution"), 0);
+  for (std::size_t i = 1; i < not_floor.at("features").size(); ++i) {
+    EXPECT_LE(std::abs(not_floor.at("features").at(i).at("contribution").get<double>()),
+              std::abs(not_floor.at("features").at(i - 1).at("contribution").get<double>()));
+  }
 }
 
 TEST_F(RuleAuthor, IsToldWhatElseACorrectionChanged) {

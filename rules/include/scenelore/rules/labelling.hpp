@@ -91,6 +91,7 @@ struct WhyNot {
   std::vector<std::pair<kb::PlaneId, std::string>> changes;  ///< other planes whose class would change
   std::vector<std::pair<std::string, double>> violated;      ///< constraints that would be broken (more), and by how many nats
   std::vector<std::string> sentences;
+  std::vector<kb::Reason> features;  ///< what each feature says for the class against the plane's own, strongest first
 };
 [[nodiscard]] WhyNot why_not(const kb::Knowledge& knowledge, const Scene& scene,
                              const std::vector<std::vector<double>>& evidence, const Facts& facts,
