@@ -234,13 +234,14 @@ Cost least_sum(const Component& component) {
   return sum;
 }
 
-void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff, Budget* budget) {
+void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff, Budget* budget, std::span<const int> world) {
   Cost sum = parts.constant;
   for (const Component& component : parts.components) sum = std::min(sum + least_sum(component), kTop);
   for (Component& component : parts.components) {
     const Cost others = sum - least_sum(component);
     component.network.set_shifting(bound == Bound::soft_consistency);
     component.network.close();
+    if (!world.empty()) component.network.set_met(component.network.evaluate(part_of(parts, component, world)));
     component.network.set_limit(is_forbidden(cutoff) ? kTop / 2 : std::max<Cost>(0, cutoff - others));
     component.network.set_budget(budget);
     component.feasible = component.network.strengthen();
@@ -249,6 +250,12 @@ void propagate_roots(Decomposition& parts, Bound bound, Cost cutoff, Budget* bud
 }
 
 }  // namespace
+
+std::vector<int> part_of(const Decomposition& parts, const Component& component, std::span<const int> assignment) {
+  std::vector<int> labels;
+  for (const int v : component.variables) labels.push_back(parts.label_in[index(v)][index(assignment[index(v)])]);
+  return labels;
+}
 
 Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection, Budget* budget) {
   const std::size_t count = problem.variables().size();
@@ -304,10 +311,10 @@ Decomposition build_parts(const Problem& problem, const Scale& scale, const Sele
 }
 
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection,
-                        Cost cutoff, Budget* budget) {
+                        Cost cutoff, Budget* budget, std::span<const int> world) {
   Decomposition result = build_parts(problem, scale, selection, budget);
   if (!result.built) return result;
-  propagate_roots(result, bound, cutoff, budget);
+  propagate_roots(result, bound, cutoff, budget, world);
   result.cut = budget != nullptr && budget->out_of_time();
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "budget.hpp"
@@ -60,12 +61,16 @@ struct Selection {
   std::vector<std::vector<char>> labels;  ///< at least one of each variable
 };
 
+/// What an assignment to the whole problem is in one component.
+std::vector<int> part_of(const Decomposition& parts, const Component& component, std::span<const int> assignment);
+
 /// Networks are not closed yet.
 Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection = {},
                           Budget* budget = nullptr);
 
 /// The same with closed networks. Each is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
+/// `world`: an assignment that is known, of selected labels; empty = none.
 Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection = {},
-                        Cost cutoff = kTop / 2, Budget* budget = nullptr);
+                        Cost cutoff = kTop / 2, Budget* budget = nullptr, std::span<const int> world = {});
 
 }  // namespace scenelore::engine

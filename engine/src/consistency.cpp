@@ -350,14 +350,21 @@ bool Network::turn_to_and_fro(int most_turns, int most_idle) {
   return true;
 }
 
-/// At the root, which is worth the time, all that there is. Below it costs are spread already: pushing them to and fro
+/// Whether some assignment costs no more than the bound, which can rise no further then.
+bool Network::is_met() {
+  if (bound() >= met_) return true;
+  round(rounded_);
+  return evaluate(rounded_) <= bound();
+}
+
+/// At the root, which is worth the time, all that there is, unless the bound is the optimum already. Below it costs are spread already: pushing them to and fro
 /// would undo that, and diffusion alone goes on from there.
 bool Network::strengthen(Place place) {
   const bool diffuses = shifting_ && !(binary_.empty() && requirements_.empty());
   const bool root = place == Place::root;
   pushing_ = root || !diffuses;
   if (!propagate()) return false;
-  if (!shifting_) return true;
+  if (!shifting_ || (root && is_met())) return true;
   if (pushing_ && !turn_to_and_fro(root ? 8 : 1, root ? 2 : 1)) return false;
   if (!diffuses) return true;
   pushing_ = false;

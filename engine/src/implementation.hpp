@@ -100,6 +100,7 @@ struct Solver::Implementation {
   SolverOptions options;
   Scale scale;  ///< of the problem as it was when last looked at
   Cost cutoff = -1;       ///< parts hold all worlds cheaper than this; at first there are none
+  Cost asked = 0;         ///< what was asked for last, once the optimum was known
   Decomposition parts{};  ///< made when first needed, with no more labels than that asks for
   std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
   std::vector<int> best_world{};                                 ///< an optimal one, once it is proved

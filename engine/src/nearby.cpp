@@ -135,12 +135,13 @@ Cost Solver::Implementation::optimum() const {
 bool Solver::Implementation::reach(Cost limit, Budget& budget) {
   if (options.bound == Bound::paper) limit = kTop / 2;
   if (limit <= cutoff) return true;
-  if (!best_world.empty() && !is_forbidden(limit)) {  // at least twice as far as before, so that there are few steps
-    if (cutoff > 0) limit = std::max(limit, 2 * cutoff - optimum());
+  if (!best_world.empty() && !is_forbidden(limit)) {  // at least twice as far as was asked before, so that there are few steps
+    if (asked > 0) limit = std::max(limit, 2 * asked - optimum());
   }
-  Decomposition next =
-      decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit, &budget);
+  Decomposition next = decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit,
+                                 &budget, best_world);
   if (!next.built) return false;
+  if (!best_world.empty() && !is_forbidden(limit)) asked = limit;
   parts = std::move(next);
   cutoff = parts.cut ? -1 : is_forbidden(limit) ? kTop : limit;  // what was cut short is made anew next time
   for (Component& component : parts.components) seed(component);
@@ -161,18 +162,12 @@ Solution Solver::Implementation::unbuilt(const Assumptions& assumptions, const B
 /// What is known of the whole problem, in terms of one component.
 void Solver::Implementation::seed(Component& component) const {
   if (!component.feasible) return;
-  const auto part_of = [&](const std::vector<int>& assignment) {
-    std::vector<int> labels;
-    for (const int v : component.variables)
-      labels.push_back(parts.label_in[index(v)][index(assignment[index(v)])]);
-    return labels;
-  };
   for (const auto& known : met) {
-    const std::vector<int> labels = part_of(known.second);
+    const std::vector<int> labels = part_of(parts, component, known.second);
     remember(component, labels, component.network.evaluate(labels));
   }
   if (best_world.empty()) return;
-  component.best = part_of(best_world);
+  component.best = part_of(parts, component, best_world);
   component.best_cost = component.network.evaluate(component.best);
 }
 

@@ -152,6 +152,8 @@ class Network {
     const bool as_it_is = is_forbidden(limit) || limit <= 0 || log_ != nullptr;
     return as_it_is ? limit : (limit - 1) / granularity_ * granularity_ + 1;
   }
+  /// An assignment of this cost is known: the root need not be strengthened beyond it.
+  void set_met(Cost cost) { met_ = cost; }
   bool assign(int v, int label);
   bool remove(int v, int label);
   /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
@@ -215,6 +217,7 @@ class Network {
   bool out_of_time();
   bool settle(int v);
   bool settle_all();
+  bool is_met();
   void turn_order();
   int rank(int v) const { return rank_[static_cast<std::size_t>(v)]; }
   void announce(int v);
@@ -294,6 +297,7 @@ class Network {
   std::vector<Cost> gain_;
   std::vector<Move> moves_;
   std::vector<Cost> scratch_;
+  std::vector<int> rounded_;
   struct Count {
     Cost in, out;  ///< least cost of being counted or not, kTop = cannot
   };
@@ -307,6 +311,7 @@ class Network {
   Budget* budget_ = nullptr;
   unsigned steps_ = 0;  ///< since the last look at the budget
   Cost limit_ = kTop;
+  Cost met_ = kTop;
   Cost least_gain_ = 1;
   Cost granularity_ = 1;  ///< a common divisor of all finite costs
   int source_ = -1;  ///< constraint whose costs are being moved

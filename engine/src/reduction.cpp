@@ -12,7 +12,8 @@ class Builder {
  public:
   Builder(const Component& whole, const Residual& residual) : whole_(whole), residual_(residual) {}
 
-  Reduction build() {
+  /// `room`: how much dearer than the best world the worlds may be.
+  Reduction build(Cost room) {
     const auto count = index(whole_.network.variables());
     result_.constant = residual_.constant;
     result_.part_of.assign(count, -1);
@@ -21,7 +22,7 @@ class Builder {
     for (int v = 0; v < whole_.network.variables(); ++v) result_.settled.push_back(whole_.network.value(v));
     add_variables();
     add_functions();
-    for (Component& part : result_.parts) close(part);
+    for (Component& part : result_.parts) close(part, room);
     return std::move(result_);
   }
 
@@ -83,11 +84,12 @@ class Builder {
     }
   }
 
-  static void close(Component& component) {
+  static void close(Component& component, Cost room) {
     component.network.close();
-    component.network.set_limit(kTop / 2);
-    component.feasible = component.network.strengthen();
     component.best_cost = component.network.evaluate(component.best);
+    component.network.set_met(component.best_cost);
+    component.network.set_limit(component.best_cost + room);
+    component.feasible = component.network.strengthen();
   }
 
   const Component& whole_;
@@ -102,8 +104,9 @@ Reduction reduce(Component& component, Cost cutoff) {
   Network& network = component.network;
   network.push();
   network.set_limit(cutoff);
+  network.set_met(component.best_cost);
   network.strengthen();
-  Reduction result = Builder(component, network.residual()).build();
+  Reduction result = Builder(component, network.residual()).build(cutoff - component.best_cost);
   result.cutoff = cutoff;
   network.pop();
   return result;

@@ -39,6 +39,7 @@ void Solver::Implementation::refresh() {
   revision = problem.revision();
   scale = Scale(problem);
   cutoff = -1;
+  asked = 0;
   parts = {};
   met.clear();
   best_world.clear();

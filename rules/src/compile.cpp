@@ -263,7 +263,7 @@ Literal Compiler::conjunction(std::vector<Literal> members) {
   return {variable, kYes};
 }
 
-/// Room for the origins of as many constraints as there will be at most.
+/// Room for as many constraints as there will be at most.
 void Compiler::make_room() {
   std::size_t most = 0;
   for (const kb::ClassConstraint& row : knowledge_.constraints) {
@@ -278,6 +278,7 @@ void Compiler::make_room() {
     }
   }
   out.origins.reserve(most);
+  out.problem.reserve(most);
 }
 
 void Compiler::add_row(int index) {

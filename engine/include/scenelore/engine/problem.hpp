@@ -79,6 +79,7 @@ class Problem {
   /// The constraint keeps its index and name but holds always, at no cost.
   void drop(int constraint);
   int add_table(int labels_a, int labels_b, std::vector<double> costs);
+  void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
   /// Returns the constraint's index, which Violation and Explanation use.
   int add(std::string name, double weight, std::int64_t reference,
           std::variant<Conflict, Requirement, Cardinality, PairTable> body);
