@@ -15,10 +15,10 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 class Writer {
  public:
   Writer(const Problem& problem, const Solution& solution, const CertificateOptions& options)
-      : problem_(problem), solution_(solution), options_(options), scale_(problem), budget_(options.limits) {}
+      : problem_(problem), solution_(solution), options_(options), scale_(problem), outline_(problem, scale_), budget_(options.limits) {}
 
   std::optional<std::string> write() {
-    Decomposition parts = build_parts(problem_, scale_, {.constraints = {}, .labels = labels()});
+    Decomposition parts = build_parts(outline_, {.labels = labels()});
     for (Component& part : parts.components) part.network.close();
     text_ = "scenelore certificate 1\n";
     const bool written = solution_.outcome == Outcome::proved ? proved(parts) : infeasible(parts);
@@ -59,7 +59,7 @@ class Writer {
       auto& row = only.emplace_back(problem_.variables()[v].labels.size(), char{0});
       row[index(solution_.assignment[v])] = 1;
     }
-    Decomposition world = build_parts(problem_, scale_, {.constraints = {}, .labels = std::move(only)});
+    Decomposition world = build_parts(outline_, {.labels = std::move(only)});
     for (Component& part : world.components) part.network.close();
     return cost(world);
   }
@@ -133,6 +133,7 @@ class Writer {
   const Solution& solution_;
   const CertificateOptions& options_;
   Scale scale_;
+  Outline outline_;
   Budget budget_;
   std::string text_, dropped_;
 };

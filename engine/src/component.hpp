@@ -7,7 +7,7 @@
 
 #include "budget.hpp"
 #include "network.hpp"
-#include "scale.hpp"
+#include "outline.hpp"
 #include "scenelore/engine/problem.hpp"
 #include "scenelore/engine/solver.hpp"
 
@@ -36,9 +36,10 @@ struct Component {
 
 struct Decomposition {
   std::vector<Component> components;
-  std::vector<int> component_of, index_in;  ///< by variable of the problem
+  std::vector<int> component_of, index_in;  ///< by variable of the problem, −1 = it is settled
   std::vector<std::vector<int>> label_in;   ///< of each label of each variable its number in the component, −1 = none
-  Cost constant = 0;                        ///< constraints that no variable can change
+  std::vector<int> settled;                 ///< the label of each variable that has just one, −1 = it has more, or none was settled
+  Cost constant = 0;                        ///< what no variable can change
   int broken = -1;                          ///< a hard one of these, −1 = none
   bool cut = false;                         ///< time ran out: nothing was built, or `built` but not propagated to the end
   bool built = false;
@@ -57,20 +58,19 @@ class Parts {
 
 /// What takes part; empty = all.
 struct Selection {
-  std::vector<char> constraints;
-  std::vector<std::vector<char>> labels;  ///< at least one of each variable
+  std::vector<std::vector<char>> labels{};  ///< at least one of each variable
+  bool settle = false;                      ///< variables with one label are in no component, but for owners of open functions
 };
 
 /// What an assignment to the whole problem is in one component.
 std::vector<int> part_of(const Decomposition& parts, const Component& component, std::span<const int> assignment);
 
 /// Networks are not closed yet.
-Decomposition build_parts(const Problem& problem, const Scale& scale, const Selection& selection = {},
-                          Budget* budget = nullptr);
+Decomposition build_parts(const Outline& outline, const Selection& selection = {}, Budget* budget = nullptr);
 
 /// The same with closed networks. Each is propagated, and keeps only labels of assignments that cost less than `cutoff` in all.
 /// `world`: an assignment that is known, of selected labels; empty = none.
-Decomposition decompose(const Problem& problem, const Scale& scale, Bound bound, const Selection& selection = {},
-                        Cost cutoff = kTop / 2, Budget* budget = nullptr, std::span<const int> world = {});
+Decomposition decompose(const Outline& outline, Bound bound, const Selection& selection = {}, Cost cutoff = kTop / 2,
+                        Budget* budget = nullptr, std::span<const int> world = {});
 
 }  // namespace scenelore::engine

@@ -37,7 +37,7 @@ class ConflictFinder {
     if (budget_.exhausted()) return true;
     std::vector<char> use(problem_.constraints().size() + 1, 0);
     for (const int c : constraints) use[static_cast<std::size_t>(c)] = 1;
-    Decomposition parts = decompose(problem_, scale_, Bound::paper, {.constraints = use, .labels = {}});
+    Decomposition parts = decompose(Outline(problem_, scale_, use), Bound::paper);
     if (parts.broken >= 0) return false;
     const Search::Report silent;
     for (Component& component : parts.components) {

@@ -5,8 +5,8 @@
 
 #include "component.hpp"
 #include "local_search.hpp"
+#include "outline.hpp"
 #include "reduction.hpp"
-#include "relevant.hpp"
 #include "scale.hpp"
 #include "scenelore/engine/solver.hpp"
 #include "search.hpp"
@@ -56,6 +56,7 @@ struct Solver::Implementation {
   Solution unbuilt(const Assumptions& assumptions, const Budget& budget) const;
   /// The limit below which at least one world that agrees with the assumptions is found without search; kTop = none.
   Cost upper_limit(const Assumptions& assumptions, Budget& budget);
+  const Outline& outline() const;
   /// Cost of the best world, once it is proved.
   Cost optimum() const;
   /// Labels that can occur in a world cheaper than `limit` or do occur in one that is known; empty = all.
@@ -105,7 +106,7 @@ struct Solver::Implementation {
   std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
   std::vector<int> best_world{};                                 ///< an optimal one, once it is proved
   std::optional<LocalSearch> local_search{};
-  mutable std::optional<Relevant> relevant{};
+  mutable std::optional<Outline> outlined{};
   std::uint64_t revision = 0;  ///< of the problem that all this is about
 };
 

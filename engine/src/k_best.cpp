@@ -95,7 +95,7 @@ Worlds Solver::Implementation::k_best_worlds(int k, Budget& budget) {
       all.exact = false;
       break;
     }
-    all = {.worlds = {{parts.constant, std::vector<int>(problem.variables().size(), -1)}}, .exact = true};
+    all = {.worlds = {{parts.constant, parts.settled}}, .exact = true};
     for (Component& component : parts.components) {
       const Worlds part = k_best(component, k, budget, is_forbidden(limit) ? limit : component.best_cost + scale.whole(nats));
       all.exact = all.exact && part.exact;

@@ -1,182 +1,148 @@
 #include "local_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "scope.hpp"
 
 namespace scenelore::engine {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-double finite_part(double cost) { return std::isfinite(cost) ? cost : 0; }
-
 }  // namespace
 
-LocalSearch::LocalSearch(const Problem& problem)
-    : problem_(problem), first_(problem.variables().size() + 1, 0), first_conflict_(first_) {
-  const auto& constraints = problem.constraints();
-  for (const Variable& variable : problem.variables())
-    for (const double cost : variable.costs) broken_ += finite_part(cost);
-  for (const Constraint& constraint : constraints) {
-    broken_ += finite_part(constraint.weight);
-    if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
-      ++first_conflict_[index(conflict->a.variable) + 1];
-      ++first_conflict_[index(conflict->b.variable) + 1];
-    } else {
-      for_each_variable(constraint, [&](int v) { ++first_[index(v) + 1]; });
-    }
+LocalSearch::LocalSearch(const Outline& outline)
+    : outline_(outline), first_use_(index(outline.literals()) + 1, 0), counts_(index(outline.variables())), pairs_(counts_) {
+  for (const Outline::Prop& prop : outline.props) ++first_use_[index(prop.literal) + 1];
+  for (std::size_t l = 1; l < first_use_.size(); ++l) first_use_[l] += first_use_[l - 1];
+  uses_.resize(first_use_.back());
+  std::vector<std::size_t> next(first_use_.begin(), first_use_.end() - 1);
+  for (std::size_t n = 0; n < outline.needs.size(); ++n)
+    for (const Outline::Prop& prop : outline.props_of(outline.needs[n]))
+      uses_[next[index(prop.literal)]++] = {static_cast<int>(n), prop.cost};
+  for (std::size_t c = 0; c < outline.counts.size(); ++c) {
+    const auto add = [&](int literal) {
+      auto& own = counts_[index(outline.variable(literal))];
+      if (own.empty() || own.back() != static_cast<int>(c)) own.push_back(static_cast<int>(c));
+    };
+    if (outline.counts[c].condition >= 0) add(outline.counts[c].condition);
+    for (const int literal : outline.counts[c].literals) add(literal);
   }
-  for (std::size_t v = 1; v < first_.size(); ++v) {
-    first_[v] += first_[v - 1];
-    first_conflict_[v] += first_conflict_[v - 1];
+  for (std::size_t p = 0; p < outline.pairs.size(); ++p) {
+    pairs_[index(outline.pairs[p].a)].push_back(static_cast<int>(p));
+    pairs_[index(outline.pairs[p].b)].push_back(static_cast<int>(p));
   }
-  constraints_.resize(first_.back());
-  conflicts_.resize(first_conflict_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  std::vector<std::size_t> next_conflict(first_conflict_.begin(), first_conflict_.end() - 1);
-  for (std::size_t c = 0; c < constraints.size(); ++c) {
-    if (const auto* conflict = std::get_if<Conflict>(&constraints[c].body)) {
-      const double weight = std::min(constraints[c].weight, broken_);
-      const bool apart = conflict->a.variable != conflict->b.variable;
-      const auto add = [&](const Literal& mine, const Literal& other, double price) {
-        conflicts_[next_conflict[index(mine.variable)]++] = {mine.label, other, price};
-      };
-      add(conflict->a, conflict->b, apart || conflict->a == conflict->b ? weight : 0);
-      add(conflict->b, conflict->a, apart ? weight : 0);  // one that is with itself is told once
-      continue;
-    }
-    for_each_variable(constraints[c], [&](int v) {
-      std::size_t& place = next[index(v)];
-      if (place == first_[index(v)] || constraints_[place - 1] != static_cast<int>(c))
-        constraints_[place++] = static_cast<int>(c);
-    });
-  }
-  for (std::size_t v = 0; v < next.size(); ++v)  // a constraint may name a variable twice
-    std::fill(constraints_.begin() + static_cast<std::ptrdiff_t>(next[v]),
-              constraints_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]), -1);
 }
 
 std::vector<int> LocalSearch::begin(const Assumptions& assumptions, const std::vector<int>& start) {
-  const auto& variables = problem_.variables();
-  allowed_.clear();
-  for (const Variable& variable : variables) {
-    auto& row = allowed_.emplace_back();
-    for (const double cost : variable.costs) row.push_back(std::isfinite(cost) ? 1 : 0);
-  }
+  const auto& own = outline_.own;
+  allowed_.assign(own.size(), 1);
+  for (std::size_t l = 0; l < own.size(); ++l) allowed_[l] = is_forbidden(own[l]) ? 0 : 1;
   for (const Literal& literal : assumptions.fixed)
-    for (std::size_t l = 0; l < allowed_[index(literal.variable)].size(); ++l)
-      if (l != index(literal.label)) allowed_[index(literal.variable)][l] = 0;
-  for (const Literal& literal : assumptions.forbidden) allowed_[index(literal.variable)][index(literal.label)] = 0;
+    for (int l = 0; l < outline_.labels(literal.variable); ++l)
+      if (l != literal.label) allowed_[index(outline_.literal({literal.variable, l}))] = 0;
+  for (const Literal& literal : assumptions.forbidden) allowed_[index(outline_.literal(literal))] = 0;
   std::vector<int> assignment;
-  for (std::size_t v = 0; v < variables.size(); ++v) {
-    const auto& costs = variables[v].costs;
-    int best = 0;
-    for (std::size_t l = 0; l < costs.size(); ++l)
-      if (allowed_[v][l] != 0 && (allowed_[v][index(best)] == 0 || costs[l] < costs[index(best)]))
-        best = static_cast<int>(l);
-    if (!start.empty() && allowed_[v][index(start[v])] != 0) best = start[v];
-    assignment.push_back(best);
+  for (int v = 0; v < outline_.variables(); ++v) {
+    const std::size_t first = index(outline_.first_label[index(v)]);
+    std::size_t best = 0;
+    for (std::size_t l = 0; l < index(outline_.labels(v)); ++l)
+      if (allowed_[first + l] != 0 && (allowed_[first + best] == 0 || own[first + l] < own[first + best])) best = l;
+    if (!start.empty() && allowed_[first + index(start[index(v)])] != 0) best = index(start[index(v)]);
+    assignment.push_back(static_cast<int>(best));
   }
   return assignment;
+}
+
+void LocalSearch::charge(std::size_t literal, int sign) {
+  for (const auto& [other, number] : outline_.clashes_of(static_cast<int>(literal)))
+    charged_[index(other)].add(outline_.price[index(number)], sign);
 }
 
 void LocalSearch::descend(std::vector<int>& assignment, Budget& budget) {
   constexpr int kLeastSweeps = 4;  // these come first, so that there is something to keep
   constexpr int kMostSweeps = 100;
+  labels_ = &assignment;
+  charged_.assign(outline_.own.size(), {});
+  for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
+  for (int v = 0; v < outline_.variables(); ++v) charge(held(v), 1);
   bool changed = true;
   for (int sweep = 0; changed && sweep < kMostSweeps; ++sweep) {
     if (sweep >= kLeastSweeps && budget.out_of_time()) return;
     changed = false;
-    for (std::size_t v = 0; v < assignment.size(); ++v) {
-      if (std::count(allowed_[v].begin(), allowed_[v].end(), 1) < 2) continue;
-      weigh(static_cast<int>(v), assignment);
-      int& label = assignment[v];
-      const int before = label;
-      for (std::size_t l = 0; l < price_.size(); ++l)
-        if (allowed_[v][l] != 0 && price_[l] < price_[index(label)] - 1e-9) label = static_cast<int>(l);
-      changed = changed || label != before;
+    for (int v = 0; v < outline_.variables(); ++v) {
+      const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
+      if (std::count(allowed, allowed + outline_.labels(v), 1) < 2) continue;
+      weigh(v);
+      int label = assignment[index(v)];
+      for (int l = 0; l < outline_.labels(v); ++l)
+        if (allowed[l] != 0 && prices_[index(l)] < prices_[index(label)]) label = l;
+      if (label == assignment[index(v)]) continue;
+      charge(held(v), -1);
+      assignment[index(v)] = label;
+      charge(held(v), 1);
+      changed = true;
     }
   }
 }
 
-void LocalSearch::weigh(int v, const std::vector<int>& assignment) {
-  price_ = problem_.variables()[index(v)].costs;
-  for (std::size_t i = first_conflict_[index(v)]; i < first_conflict_[index(v) + 1]; ++i) {
-    const OneConflict& conflict = conflicts_[i];
-    // One with itself has a price whenever it is looked at.
-    if (conflict.other.variable == v || assignment[index(conflict.other.variable)] == conflict.other.label)
-      price_[index(conflict.mine)] += conflict.price;
-  }
-  for (std::size_t i = first_[index(v)]; i < first_[index(v) + 1] && constraints_[i] >= 0; ++i) {
-    const Constraint& constraint = problem_.constraints()[index(constraints_[i])];
-    const double weight = std::min(constraint.weight, broken_);
-    if (const auto* requirement = std::get_if<Requirement>(&constraint.body))
-      weigh(v, *requirement, weight, assignment);
-    else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body))
-      weigh(v, *cardinality, weight, assignment);
-    else
-      weigh(v, std::get<PairTable>(constraint.body), weight, assignment);
+void LocalSearch::weigh(int v) {
+  const auto first = charged_.begin() + outline_.first_label[index(v)];
+  prices_.assign(first, first + outline_.labels(v));
+  weigh_needs(v);
+  weigh_counts(v);
+  weigh_pairs(v);
+}
+
+/// Of the props that hold at other variables.
+Cost LocalSearch::least_prop(const Outline::Need& need, int without) const {
+  Cost least = need.weight;
+  for (const Outline::Prop& prop : outline_.props_of(need))
+    if (prop.cost < least && outline_.variable(prop.literal) != without && holds(prop.literal)) least = prop.cost;
+  return least;
+}
+
+void LocalSearch::weigh_needs(int v) {
+  const std::size_t first = index(outline_.first_label[index(v)]);
+  for (std::size_t l = 0; l < prices_.size(); ++l) {
+    for (const Outline::Need& need : outline_.needs_of(static_cast<int>(first + l))) prices_[l].add(least_prop(need, v));
+    for (std::size_t u = first_use_[first + l]; u < first_use_[first + l + 1]; ++u) {
+      const auto& [number, cost] = uses_[u];
+      const Outline::Need& need = outline_.needs[index(number)];
+      if (!holds(need.owner) || outline_.variable(need.owner) == v) continue;
+      const Cost least = least_prop(need, v);
+      if (cost >= least) continue;
+      // All labels would pay `least`; that is left out, and this one gets what it saves.
+      prices_[l].add(least, -1);
+      prices_[l].add(cost);
+    }
   }
 }
 
-void LocalSearch::weigh(int v, const Requirement& requirement, double weight, const std::vector<int>& assignment) {
-  const Literal& owner = requirement.literal;
-  const bool is_owner = owner.variable == v;
-  if (!is_owner && assignment[index(owner.variable)] != owner.label) return;
-  double least = weight;  // of the supports at other variables
-  for (const Support& support : requirement.supports) {
-    const Literal& literal = support.literal;
-    if (literal == owner)
-      least = std::min(least, support.cost);
-    else if (literal.variable != v && literal.variable != owner.variable &&
-             assignment[index(literal.variable)] == literal.label)
-      least = std::min(least, support.cost);
-  }
-  if (is_owner) {
-    price_[index(owner.label)] += least;
-    return;
-  }
-  for (double& price : price_) price += least;
-  for (std::size_t l = 0; l < price_.size(); ++l) {
-    double with = least;
-    for (const Support& support : requirement.supports)
-      if (support.literal == Literal{v, static_cast<int>(l)}) with = std::min(with, support.cost);
-    price_[l] -= least - with;
+void LocalSearch::weigh_counts(int v) {
+  const std::size_t first = index(outline_.first_label[index(v)]);
+  for (const int c : counts_[index(v)]) {
+    const Outline::Count& count = outline_.counts[index(c)];
+    const bool own_condition = count.condition >= 0 && outline_.variable(count.condition) == v;
+    if (count.condition >= 0 && !own_condition && !holds(count.condition)) continue;
+    int others = 0;
+    for (const int literal : count.literals) others += outline_.variable(literal) != v && holds(literal) ? 1 : 0;
+    for (std::size_t l = 0; l < prices_.size(); ++l) {
+      if (own_condition && count.condition != static_cast<int>(first + l)) continue;
+      const bool counts = std::binary_search(count.literals.begin(), count.literals.end(), static_cast<int>(first + l));
+      const int off = std::max({0, count.low - others - counts, others + counts - count.high});
+      if (off > 0) prices_[l].add(is_forbidden(count.weight) ? kTop : off * count.weight);
+    }
   }
 }
 
-void LocalSearch::weigh(int v, const Cardinality& cardinality, double weight, const std::vector<int>& assignment) {
-  const auto& condition = cardinality.condition;
-  if (condition && condition->variable != v && assignment[index(condition->variable)] != condition->label) return;
-  int others = 0;
-  std::vector<char> counts(price_.size(), 0);
-  for (std::size_t i = 0; i < cardinality.literals.size(); ++i) {
-    const Literal& literal = cardinality.literals[i];
-    if (literal.variable == v)
-      counts[index(literal.label)] = 1;
-    else if (assignment[index(literal.variable)] == literal.label &&
-             std::find(cardinality.literals.begin(), cardinality.literals.begin() + static_cast<std::ptrdiff_t>(i),
-                       literal) == cardinality.literals.begin() + static_cast<std::ptrdiff_t>(i))
-      ++others;  // a literal that is listed twice counts once
-  }
-  for (std::size_t l = 0; l < price_.size(); ++l) {
-    if (condition && condition->variable == v && condition->label != static_cast<int>(l)) continue;
-    const int count = others + counts[l];
-    price_[l] += weight * std::max({0, cardinality.low - count, count - cardinality.high});
-  }
-}
-
-void LocalSearch::weigh(int v, const PairTable& pair, double weight, const std::vector<int>& assignment) {
-  const std::vector<double>& costs = problem_.table(pair.table);
-  const int columns = problem_.table_size(pair.table).second;
-  const bool is_a = pair.a == v;
-  const int other = assignment[index(is_a ? pair.b : pair.a)];
-  for (std::size_t l = 0; l < price_.size(); ++l) {
-    const double entry = costs[index(is_a ? static_cast<int>(l) * columns + other : other * columns) + (is_a ? 0 : l)];
-    if (entry > 0) price_[l] += std::isfinite(entry) ? weight * entry : broken_;
+void LocalSearch::weigh_pairs(int v) {
+  for (const int p : pairs_[index(v)]) {
+    const Outline::Pair& pair = outline_.pairs[index(p)];
+    const bool is_a = pair.a == v;
+    const int other = (*labels_)[index(is_a ? pair.b : pair.a)];
+    for (std::size_t l = 0; l < prices_.size(); ++l) {
+      const int label = static_cast<int>(l);
+      prices_[l].add(is_a ? outline_.cost(pair, label, other) : outline_.cost(pair, other, label));
+    }
   }
 }
 

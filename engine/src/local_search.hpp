@@ -1,18 +1,19 @@
 // A first good assignment, before there is any bound: descent from the cheapest labels, one variable at a time.
 #pragma once
 
+#include <compare>
 #include <vector>
 
 #include "budget.hpp"
-#include "scenelore/engine/problem.hpp"
+#include "outline.hpp"
 #include "scenelore/engine/solver.hpp"
 
 namespace scenelore::engine {
 
-/// Prepared once for a problem; each call of `from` is a descent of its own.
+/// Prepared once for a problem; each call of `begin` and `descend` is a descent of its own.
 class LocalSearch {
  public:
-  explicit LocalSearch(const Problem& problem);
+  explicit LocalSearch(const Outline& outline);
 
   /// The cheapest labels that the assumptions leave, or `start` as far as they leave it.
   std::vector<int> begin(const Assumptions& assumptions, const std::vector<int>& start = {});
@@ -22,27 +23,45 @@ class LocalSearch {
   void descend(std::vector<int>& assignment, Budget& budget);
 
  private:
-  /// Cost of each label of v, everything else as it is.
-  void weigh(int v, const std::vector<int>& assignment);
-  void weigh(int v, const Requirement& requirement, double weight, const std::vector<int>& assignment);
-  void weigh(int v, const Cardinality& cardinality, double weight, const std::vector<int>& assignment);
-  void weigh(int v, const PairTable& pair, double weight, const std::vector<int>& assignment);
-
-  /// A conflict seen from one of its variables; most constraints are conflicts.
-  struct OneConflict {
-    int mine = 0;
-    Literal other{};
-    double price = 0;
+  struct Price {
+    int broken = 0;  ///< hard constraints
+    Cost cost = 0;
+    auto operator<=>(const Price&) const = default;
+    void add(Cost more, int sign = 1) {
+      if (is_forbidden(more))
+        broken += sign;
+      else
+        cost += sign * more;
+    }
+  };
+  /// A need, seen from a label that meets it.
+  struct Use {
+    int need;
+    Cost cost;
   };
 
-  const Problem& problem_;
-  std::vector<std::size_t> first_;           ///< of each variable in constraints_
-  std::vector<std::size_t> first_conflict_;  ///< of each variable in conflicts_
-  std::vector<int> constraints_;             ///< all but conflicts
-  std::vector<OneConflict> conflicts_;
-  std::vector<std::vector<char>> allowed_;
-  std::vector<double> price_;
-  double broken_ = 1;  ///< stands for an infinite cost
+  std::size_t held(int v) const {
+    const auto at = static_cast<std::size_t>(v);
+    return static_cast<std::size_t>(outline_.first_label[at] + (*labels_)[at]);
+  }
+  bool holds(int literal) const { return static_cast<int>(held(outline_.variable(literal))) == literal; }
+  /// Adds (or takes back) what the conflicts of a label that holds cost other labels.
+  void charge(std::size_t literal, int sign);
+  /// prices_ of v's labels, everything else as it is.
+  void weigh(int v);
+  void weigh_needs(int v);
+  void weigh_counts(int v);
+  void weigh_pairs(int v);
+  Cost least_prop(const Outline::Need& need, int without) const;
+
+  const Outline& outline_;
+  std::vector<std::size_t> first_use_;  ///< by literal, in uses_
+  std::vector<Use> uses_;
+  std::vector<std::vector<int>> counts_, pairs_;  ///< by variable
+  std::vector<char> allowed_;                     ///< by literal
+  std::vector<Price> charged_;                    ///< by literal: its own cost and conflicts with labels that hold
+  std::vector<Price> prices_;                     ///< by label of the variable at hand
+  const std::vector<int>* labels_ = nullptr;
 };
 
 }  // namespace scenelore::engine

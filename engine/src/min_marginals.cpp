@@ -70,6 +70,10 @@ MinMarginals Solver::Implementation::min_marginals() {
         values.exact = false;
         break;
       }
+      for (std::size_t v = 0; v < solved.assignment.size(); ++v) {  // those of settled variables are in no component
+        values.value[v][index(solved.assignment[v])] = optimum();
+        values.known[v][index(solved.assignment[v])] = 1;
+      }
       for (Component& component : parts.components) literal_costs(component, limit, budget, values);
       if (!values.exact) break;
       floor = limit;

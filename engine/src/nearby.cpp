@@ -46,10 +46,10 @@ Cost Solver::Implementation::upper_limit(const Assumptions& assumptions, Budget&
   if (!best_world.empty() && std::isfinite(assumptions.below)) return kTop / 2;
   const Cost limit = cheapest();
   if (!is_forbidden(limit)) return limit;
-  if (!local_search) local_search.emplace(problem);
+  if (!local_search) local_search.emplace(outline());
   std::vector<int> assignment = local_search->begin(assumptions, best_world);
   local_search->descend(assignment, budget);
-  const Check checked = check(problem, assignment);
+  const Check checked = check(problem, assignment, outline().relevant(assignment));
   if (checked.valid && agrees(assignment, assumptions)) meet(assignment, checked.cost);
   return cheapest();
 }
@@ -138,8 +138,8 @@ bool Solver::Implementation::reach(Cost limit, Budget& budget) {
   if (!best_world.empty() && !is_forbidden(limit)) {  // at least twice as far as was asked before, so that there are few steps
     if (asked > 0) limit = std::max(limit, 2 * asked - optimum());
   }
-  Decomposition next = decompose(problem, scale, options.bound, {.constraints = {}, .labels = labels_below(limit)}, limit,
-                                 &budget, best_world);
+  Decomposition next = decompose(outline(), options.bound, {.labels = labels_below(limit), .settle = !is_forbidden(limit)},
+                                 limit, &budget, best_world);
   if (!next.built) return false;
   if (!best_world.empty() && !is_forbidden(limit)) asked = limit;
   parts = std::move(next);

@@ -44,7 +44,7 @@ void Solver::Implementation::refresh() {
   met.clear();
   best_world.clear();
   local_search.reset();
-  relevant.reset();
+  outlined.reset();
 }
 
 Search::Report Solver::Implementation::report(const Component& component) const {
@@ -57,8 +57,13 @@ Search::Report Solver::Implementation::report(const Component& component) const 
           [this](Cost cost) { return scale.real(cost); }};
 }
 
+const Outline& Solver::Implementation::outline() const {
+  if (!outlined) outlined.emplace(problem, scale);
+  return *outlined;
+}
+
 bool Solver::Implementation::feasible() const {
-  return parts.broken < 0 && std::all_of(parts.components.begin(), parts.components.end(),
+  return parts.broken < 0 && !is_forbidden(parts.constant) && std::all_of(parts.components.begin(), parts.components.end(),
                                          [](const Component& component) { return component.feasible; });
 }
 
@@ -156,8 +161,7 @@ Solution Solver::Implementation::finish(std::vector<int> assignment, bool comple
     if (complete) solution.lower_bound = kInfinity;
     return solution;
   }
-  if (!relevant) relevant.emplace(problem);
-  Check checked = check(problem, assignment, relevant->constraints(assignment));
+  Check checked = check(problem, assignment, outline().relevant(assignment));
   if (!checked.valid) throw std::logic_error("the search returned an assignment that the checker refuses");
   solution.outcome = complete ? Outcome::proved : Outcome::feasible;
   solution.cost = checked.cost;
@@ -182,17 +186,20 @@ Solution Solver::Implementation::solve(const Assumptions& assumptions, Budget& b
   const auto assume = [&](const Literal& literal, bool equal) {
     const auto v = static_cast<std::size_t>(literal.variable);
     const int label = parts.label_in[v][static_cast<std::size_t>(literal.label)];
+    if (parts.component_of[v] < 0) return (label >= 0) == equal;
     if (label >= 0)
       decisions[static_cast<std::size_t>(parts.component_of[v])].push_back({parts.index_in[v], label, equal});
     return label >= 0 || !equal;
   };
   for (const Literal& literal : assumptions.fixed)
     if (!assume(literal, true)) return none_below();
-  for (const Literal& literal : assumptions.forbidden) assume(literal, false);
+  for (const Literal& literal : assumptions.forbidden)
+    if (!assume(literal, false)) return none_below();
 
   Cost least = parts.constant;
   for (const Component& component : parts.components) least += least_cost(component);
-  std::vector<int> assignment(problem.variables().size(), -1);
+  if (least >= limit && !is_forbidden(limit)) return none_below();
+  std::vector<int> assignment = parts.settled;
   bool complete = true, whole = true;
   Cost lower_bound = parts.constant;
   for (std::size_t c = 0; c < parts.components.size(); ++c) {
