@@ -59,11 +59,8 @@ struct Solver::Implementation {
   const Outline& outline() const;
   /// Cost of the best world, once it is proved.
   Cost optimum() const;
-  /// Labels that can occur in a world cheaper than `limit` or do occur in one that is known; empty = all.
+  /// Labels that can occur in a world cheaper than `limit`, and those of the best world; empty = all.
   std::vector<std::vector<char>> labels_below(Cost limit) const;
-  void add_requirements(const std::vector<const Constraint*>& requirements, const std::vector<std::vector<char>>& labels,
-                        std::vector<std::vector<Cost>>& costs) const;
-  bool strike_from(Cost limit, const std::vector<std::vector<Cost>>& costs, std::vector<std::vector<char>>& labels) const;
   void seed(Component& component) const;
   /// Notes a world that was met.
   void meet(const std::vector<int>& assignment, double cost);

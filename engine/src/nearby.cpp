@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "early_bound.hpp"
 #include "implementation.hpp"
 #include "scenelore/engine/checker.hpp"
 
@@ -54,76 +55,17 @@ Cost Solver::Implementation::upper_limit(const Assumptions& assumptions, Budget&
   return cheapest();
 }
 
-/// A label's own cost, with what the requirements cost that it is the owner of, as far as labels that are out decide that.
-/// Each requirement has one owner, so that the least of these of each variable add up to a lower bound.
 std::vector<std::vector<char>> Solver::Implementation::labels_below(Cost limit) const {
   if (is_forbidden(limit)) return {};
-  const auto& variables = problem.variables();
-  std::vector<std::vector<Cost>> own;
-  std::vector<std::vector<char>> labels;
-  for (const Variable& variable : variables) {
-    auto& row = own.emplace_back();
-    for (const double cost : variable.costs) row.push_back(scale.whole(cost));
-    labels.emplace_back(row.size(), char{1});
-  }
-  std::vector<const Constraint*> requirements;
-  for (const Constraint& constraint : problem.constraints())
-    if (std::holds_alternative<Requirement>(constraint.body)) requirements.push_back(&constraint);
+  const auto cheapest = std::min_element(met.begin(), met.end());
+  EarlyBound bound(outline(), !best_world.empty() || cheapest == met.end() ? best_world : cheapest->second);
   constexpr int kMostRounds = 4;
   bool changed = true;
   for (int round = 0; changed && round < kMostRounds; ++round) {
-    std::vector<std::vector<Cost>> costs = own;
-    if (round > 0) add_requirements(requirements, labels, costs);
-    changed = strike_from(limit, costs, labels) || round == 0;
+    bound.raise();
+    changed = bound.strike(limit, best_world) || round == 0;
   }
-  return labels;
-}
-
-/// What each requirement costs its owner with the labels that are left.
-void Solver::Implementation::add_requirements(const std::vector<const Constraint*>& requirements,
-                                              const std::vector<std::vector<char>>& labels,
-                                              std::vector<std::vector<Cost>>& costs) const {
-  for (const Constraint* constraint : requirements) {
-    const auto& requirement = std::get<Requirement>(constraint->body);
-    const Literal& owner = requirement.literal;
-    if (labels[index(owner.variable)][index(owner.label)] == 0) continue;
-    double least = constraint->weight;
-    for (const Support& support : requirement.supports) {
-      const Literal& literal = support.literal;
-      const bool possible = literal.variable == owner.variable ? literal == owner
-                                                               : labels[index(literal.variable)][index(literal.label)] != 0;
-      if (possible) least = std::min(least, support.cost);
-      if (least == 0) break;
-    }
-    Cost& cost = costs[index(owner.variable)][index(owner.label)];
-    if (least > 0) cost = std::min(cost + scale.whole(least), kTop);
-  }
-}
-
-/// Labels that reach the limit with the cheapest ones of all other variables go; those of known worlds, and one of each
-/// variable, stay. Returns whether any went.
-bool Solver::Implementation::strike_from(Cost limit, const std::vector<std::vector<Cost>>& costs,
-                                         std::vector<std::vector<char>>& labels) const {
-  std::vector<std::size_t> cheapest;
-  Cost bound = 0;
-  for (std::size_t v = 0; v < costs.size(); ++v) {
-    std::size_t best = 0;
-    for (std::size_t l = 0; l < costs[v].size(); ++l)
-      if (labels[v][l] != 0 && (labels[v][best] == 0 || costs[v][l] < costs[v][best])) best = l;
-    cheapest.push_back(best);
-    bound = std::min(bound + costs[v][best], kTop);
-  }
-  if (is_forbidden(bound)) return false;  // nothing is below the limit; the network will say so
-  bool any = false;
-  for (std::size_t v = 0; v < costs.size(); ++v)
-    for (std::size_t l = 0; l < costs[v].size(); ++l) {
-      if (labels[v][l] == 0 || l == cheapest[v] || bound - costs[v][cheapest[v]] + costs[v][l] < limit) continue;
-      const bool known = std::any_of(met.begin(), met.end(), [&](const auto& world) { return world.second[v] == static_cast<int>(l); });
-      if (known) continue;
-      labels[v][l] = 0;
-      any = true;
-    }
-  return any;
+  return bound.labels();
 }
 
 Cost Solver::Implementation::optimum() const {
@@ -163,6 +105,10 @@ Solution Solver::Implementation::unbuilt(const Assumptions& assumptions, const B
 void Solver::Implementation::seed(Component& component) const {
   if (!component.feasible) return;
   for (const auto& known : met) {
+    const bool is_in = std::all_of(component.variables.begin(), component.variables.end(), [&](int v) {
+      return parts.label_in[index(v)][index(known.second[index(v)])] >= 0;
+    });
+    if (!is_in) continue;
     const std::vector<int> labels = part_of(parts, component, known.second);
     remember(component, labels, component.network.evaluate(labels));
   }
