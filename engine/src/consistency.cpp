@@ -351,8 +351,8 @@ bool Network::turn_to_and_fro(int most_turns, int most_idle) {
 }
 
 /// Whether some assignment costs no more than the bound, which can rise no further then.
-bool Network::is_met() {
-  if (bound() >= met_) return true;
+bool Network::is_met(Place place) {
+  if (place == Place::root && bound() >= met_) return true;
   round(rounded_);
   return evaluate(rounded_) <= bound();
 }
@@ -364,7 +364,7 @@ bool Network::strengthen(Place place) {
   const bool root = place == Place::root;
   pushing_ = root || !diffuses;
   if (!propagate()) return false;
-  if (!shifting_ || (root && is_met())) return true;
+  if (!shifting_ || is_met(place)) return true;
   if (pushing_ && !turn_to_and_fro(root ? 8 : 1, root ? 2 : 1)) return false;
   if (!diffuses) return true;
   pushing_ = false;

@@ -217,7 +217,7 @@ class Network {
   bool out_of_time();
   bool settle(int v);
   bool settle_all();
-  bool is_met();
+  bool is_met(Place place);
   void turn_order();
   int rank(int v) const { return rank_[static_cast<std::size_t>(v)]; }
   void announce(int v);
