@@ -22,8 +22,10 @@ Eigen::Vector3d centre_of(const Scan& scan, const std::vector<StoredPlane>& plan
   return (low + high) / 2;
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Planes of older files have no such value, which is stored as 0.
-double known(double length) { return length > 0 ? length : std::numeric_limits<double>::quiet_NaN(); }
+double known(double length) { return length > 0 ? length : kUnknown; }
 
 }  // namespace
 
@@ -31,14 +33,14 @@ FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>&
   FeatureTable table;
   table.names = {"area_m2", "length", "width", "rectangularity", "tilt_deg",      "height",    "x",
                  "y",       "z_min",  "z_max", "rmse",           "point_density", "facing_up", "seen_share",
-                 "spread_length", "spread_width"};
+                 "spread_length", "spread_width", "behind"};
   const Eigen::Vector3d centre = centre_of(scan, planes);
   for (const StoredPlane& stored : planes) {
     const perception::Plane& p = stored.plane;
     const Eigen::Vector3d at = scan.rotation * p.centroid - centre;
     table.values.push_back({p.area_m2, p.length, p.width, p.rectangularity, p.tilt_deg, p.height, at.x(), at.y(),
                             p.z_min, p.z_max, p.rmse, p.point_density, p.facing_up, p.seen_share,
-                            known(p.spread_length), known(p.spread_width)});
+                            known(p.spread_length), known(p.spread_width), p.behind >= 0 ? p.behind : kUnknown});
   }
   return table;
 }

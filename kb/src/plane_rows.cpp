@@ -12,7 +12,7 @@ namespace {
 // The order in which insert_planes binds and read_plane reads.
 constexpr std::string_view kPlaneColumns =
     "geom, x, y, z, normal_x, normal_y, normal_z, qw, qx, qy, qz, area_m2, length, width, rectangularity, tilt_deg, "
-    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, point_count";
+    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, behind, point_count";
 
 Eigen::Vector3d vector_at(const Statement::Use& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
@@ -34,11 +34,13 @@ perception::Plane read_plane(const Statement::Use& row, int column) {
                         &plane.point_density, &plane.seen_share, &plane.spread_length, &plane.spread_width}) {
     *value = row.real(column++);
   }
+  if (!row.is_null(column)) plane.behind = row.real(column);
+  ++column;
   plane.point_count = static_cast<std::size_t>(row.integer(column));
   return plane;
 }
 
-// The values of kPlaneColumns between geom and point_count. Ratios that rounding pushed over their range are put back.
+// The values of kPlaneColumns between geom and behind. Ratios that rounding pushed over their range are put back.
 std::vector<double> numbers_of(const perception::Plane& plane) {
   return {plane.centroid.x(), plane.centroid.y(), plane.centroid.z(), plane.normal.x(), plane.normal.y(),
           plane.normal.z(), plane.orientation.w(), plane.orientation.x(), plane.orientation.y(), plane.orientation.z(),
@@ -93,7 +95,7 @@ std::vector<StoredPlane> read_planes(const Database& database, ScanId scan) {
 
 void insert_planes(Database& database, const Scan& scan, const std::vector<perception::Plane>& planes) {
   Statement insert = database.prepare("INSERT INTO plane (scan_id, number, " + std::string(kPlaneColumns) +
-                                      ") VALUES (" + placeholders(28) + ")");
+                                      ") VALUES (" + placeholders(29) + ")");
   Statement insert_footprint = database.prepare(kInsertFootprint);
   std::int64_t number = 0;
   for (const perception::Plane& plane : planes) {
@@ -101,6 +103,7 @@ void insert_planes(Database& database, const Scan& scan, const std::vector<perce
     auto use = insert.use();
     use(scan.id)(number++)(geometry);
     for (const double value : numbers_of(plane)) use(value);
+    use(plane.behind >= 0 ? std::optional(std::min(plane.behind, 1.0)) : std::nullopt);
     use(static_cast<std::int64_t>(plane.point_count)).run();
     store_footprint(insert_footprint, scan, database.last_id(), plane);
   }
@@ -122,7 +125,7 @@ void store_missing_footprints(Database& database) {
 }
 
 bool same_plane(const perception::Plane& a, const perception::Plane& b) {
-  return a.point_count == b.point_count && numbers_of(a) == numbers_of(b) &&
+  return a.point_count == b.point_count && a.behind == b.behind && numbers_of(a) == numbers_of(b) &&
          encode_polygon(a.hull, Dimensions::xyz) == encode_polygon(b.hull, Dimensions::xyz);
 }
 

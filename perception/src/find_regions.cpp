@@ -171,6 +171,7 @@ FoundRegions Finder::run() {
   begin("promises");
   static_cast<Settled&>(found_) =
       keep_promises(cloud_, voxels_, sample_, slots_, planes_.size(), found_.limits, threads_, std::move(slot_of_point_));
+  found_.voxels = std::move(voxels_.grid.moments);
   return std::move(found_);
 }
 

@@ -10,6 +10,7 @@ struct FoundRegions : Settled {
   Limits limits;
   Upright upright;
   double voxel = 0, spacing = 0, noise = 0;  ///< metres
+  std::vector<Moments> voxels;               ///< of all points, in the cloud's offsets
 };
 
 /// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range.

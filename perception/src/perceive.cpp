@@ -8,6 +8,7 @@
 #include "parallel.hpp"
 #include "scenelore/perception/error.hpp"
 #include "scenelore/perception/features.hpp"
+#include "surroundings.hpp"
 #include "words.hpp"
 
 namespace scenelore::perception {
@@ -76,8 +77,12 @@ Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   const auto& points = found.sampled;
   result.planes.resize(points.size());
   const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.small_plane_step / 2)};
+  const Surroundings surroundings(found.voxels, found.voxel);
   parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) result.planes[p] = describe_sampled(cloud, points[p], found.regions.planes[p], result.upright, describing);
+    for (std::size_t p = begin; p < end; ++p) {
+      result.planes[p] = describe_sampled(cloud, points[p], found.regions.planes[p], result.upright, describing);
+      result.planes[p].behind = surroundings.behind(result.planes[p], cloud.origin);
+    }
   });
   result.plane_of_point = std::move(found.regions.of_point);
   warn(cloud, result);

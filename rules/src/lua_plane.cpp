@@ -50,6 +50,8 @@ constexpr PlaneField kFields[] = {
      "metres, its shorter side"},
     {"seen_share", [](const perception::Plane& p) { return p.seen_share; },
      "share of the outline that holds points, 0 to 1"},
+    {"behind", [](const perception::Plane& p) { return p.behind; },
+     "share of the cubes around it that lie on its emptier side: about 0 where the room ends, -1 = not known"},
     {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); },
      "points"},
 };

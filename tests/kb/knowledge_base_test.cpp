@@ -75,6 +75,7 @@ TEST(KnowledgeBase, GivesBackAScanAsItWasStored) {
     EXPECT_EQ(stored.z_max, given.z_max);
     EXPECT_EQ(stored.rmse, given.rmse);
     EXPECT_EQ(stored.seen_share, given.seen_share);
+    EXPECT_EQ(stored.behind, given.behind);
     EXPECT_EQ(stored.point_count, given.point_count);
   }
   const std::vector<std::int64_t> of_point = base.plane_of_point(id);

@@ -40,6 +40,7 @@ inline perception::Plane rectangle(const Eigen::Vector3d& centre, const Eigen::V
   plane.facing_up = plane.normal.z();
   plane.point_density = static_cast<double>(points) / plane.area_m2;
   plane.seen_share = 0.9;
+  if (plane.tilt_deg < 45) plane.behind = 0.25;  // not known of the others
   plane.point_count = points;
   return plane;
 }

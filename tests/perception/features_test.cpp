@@ -12,6 +12,7 @@
 #include "planar_scenes.hpp"
 #include "scenelore/perception/perceive.hpp"
 #include "promise_checks.hpp"
+#include "surroundings.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -217,6 +218,55 @@ TEST(Perceive, DescribesARoomAndIsTheSameForAnyNumberOfThreads) {
 }
 
 /// A dense room has several times the points that its planes are found by.
+TEST(Surroundings, CountCubesOnBothSidesOfAPlane) {
+  // Plates of a square metre, a cube of 10 cm holding four points at its middle: the plane itself, one 0.6 m above it, two below.
+  const auto plates = [](std::vector<double> heights, double points) {
+    std::vector<Moments> voxels;
+    for (const double height : heights) {
+      for (int x = 0; x < 10; ++x) {
+        for (int y = 0; y < 10; ++y) {
+          Moments m;
+          m.n = points;
+          m.sum = points * Eigen::Vector3d(0.1 * x + 0.05, 0.1 * y + 0.05, height);
+          voxels.push_back(m);
+        }
+      }
+    }
+    return voxels;
+  };
+  Plane plane;
+  plane.centroid = {0.5, 0.5, 0.05};
+  plane.hull.outer = {{0, 0, 0.05}, {1, 0, 0.05}, {1, 1, 0.05}, {0, 1, 0.05}};
+  const auto behind = [&](std::vector<double> heights, double points) {
+    return Surroundings(plates(std::move(heights), points), 0.05).behind(plane, Eigen::Vector3d::Zero());
+  };
+  EXPECT_DOUBLE_EQ(behind({0.05, 0.65, -0.55, -0.85}, 4), 0.5) << "a hundred above, a hundred of its own";
+  EXPECT_DOUBLE_EQ(behind({0.05, -0.55, -0.85}, 4), 0) << "nothing above";
+  EXPECT_DOUBLE_EQ(behind({0.05, 0.12, -0.55}, 4), 0) << "too near to be told from the plane";
+  EXPECT_DOUBLE_EQ(behind({0.05, 1.95, -0.55}, 4), 0) << "too far off to matter";
+  EXPECT_DOUBLE_EQ(behind({0.05, 0.65, -0.55}, 2), -1) << "strays alone";
+  plane.hull.outer.clear();
+  EXPECT_DOUBLE_EQ(behind({0.05, 0.65, -0.55}, 4), -1) << "no outline";
+}
+
+TEST(Perceive, TellsWhereTheRoomEndsHoweverItIsTurned) {
+  const Eigen::Isometry3d turned(Eigen::Translation3d(30, -7, 2) * Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.1, 0.05, 1).normalized()));
+  Scene room = testing::room(0.005);
+  Random random(2);
+  room.add_rectangle(Vector(2.75, 1, 0.1), Vector(0, 1.2, 0), Vector(0, 0, 1.2), 2500, 0.005, 7, random);  // a partition in the room
+  for (const Scene& scene : {room, room.moved(turned)}) {
+    const Perception found = perceive(scene.cloud);
+    ASSERT_EQ(found.planes.size(), 8U);
+    for (const Plane& plane : found.planes) {
+      if (plane.area_m2 > 2) {
+        EXPECT_LT(plane.behind, 0.02) << plane.height;
+      } else {  // the partition, and the table, which has the partition's upper half over it
+        EXPECT_GT(plane.behind, plane.tilt_deg > 45 ? 0.3 : 0.02) << plane.height;
+      }
+    }
+  }
+}
+
 TEST(Perceive, GivesEveryPointOfADenseRoomToAPlaneFoundInASample) {
   const Scene scene = room(0.008, 10'000);
   PerceptionOptions options;

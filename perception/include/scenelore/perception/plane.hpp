@@ -37,6 +37,10 @@ struct Plane {
   double facing_up = 0;      ///< z of the sensor-side normal in the upright frame, −1..1; |z| when the sensor is unknown
   double point_density = 0;  ///< points a square metre of hull
   double seen_share = 0;     ///< share of the hull's 5 cm cells that hold points, 0..1
+  /// Does the room end here? Of the 10 cm cubes with points in and around the outline's box, 1.5 m deep to both sides: how many
+  /// lie off the plane on the side with fewer, as a share of these and the plane's own, 0..1. About 0 for floor, ceiling, walls and
+  /// what hangs on them. −1 = not known.
+  double behind = -1;
   std::size_t point_count = 0;
 };
 
