@@ -89,15 +89,18 @@ std::map<std::string_view, OfFeature> rows_by_feature(const Knowledge& knowledge
 
 Model::Model(const Knowledge& knowledge, const FeatureTable& table) : log_priors_(log_priors(knowledge)) {
   const double outlier_share = std::strtod(knowledge.setting("outlier_share", "0").c_str(), nullptr);
+  const int fallback = knowledge.fallback_index();
   std::map<std::string_view, OfFeature> rows = rows_by_feature(knowledge);
   for (const Feature& feature : knowledge.features) {
     const auto column = std::find(table.names.begin(), table.names.end(), feature.name);
     if (column == table.names.end() || feature.weight <= 0) continue;
     features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()), {}});
     OfFeature& of = rows.at(feature.name);
+    for (auto& bins : of.bins) std::sort(bins.begin(), bins.end(), [](const ClassDensity* a, const ClassDensity* b) { return a->low < b->low; });
     for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
-      std::sort(of.bins[c].begin(), of.bins[c].end(), [](const ClassDensity* a, const ClassDensity* b) { return a->low < b->low; });
-      features_.back().likelihoods.emplace_back(feature, of.gaussians[c], of.bins[c], outlier_share);
+      const bool silent = of.gaussians[c] == nullptr && of.bins[c].empty() && fallback >= 0;
+      const std::size_t like = silent ? static_cast<std::size_t>(fallback) : c;
+      features_.back().likelihoods.emplace_back(feature, of.gaussians[like], of.bins[like], outlier_share);
     }
   }
 }

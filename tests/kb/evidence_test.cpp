@@ -97,6 +97,16 @@ TEST(Preclassify, LetsAClassWithoutRowsWinOnlyWhatFitsNoOther) {
   EXPECT_NEAR(p[1][3] / p[1][0], 0.1 / 2, 1e-9);  // as the fallback, but for its prior
 }
 
+TEST(Preclassify, LetsAFeatureWithoutARowSpeakNeitherForNorAgainstAClass) {
+  Knowledge k = small();
+  k.class_features.push_back({"unknown", "height", 1, 0.1});
+  k.classes.push_back({3, "sofa", 0.1, "", "#000000", false});
+  k.class_features.push_back({"sofa", "size", std::log(2.0), 0.2});
+  const auto at = [&](double height) { return preclassify(k, {{"height", "size"}, {{height, 2.0}}})[0]; };
+  EXPECT_NEAR(at(1.0)[3] / at(1.0)[0], at(1.2)[3] / at(1.2)[0], 1e-9);
+  EXPECT_GT(at(1.0)[3] / at(1.0)[0], 0.1) << "its size speaks for it";
+}
+
 TEST(Preclassify, ReadsHistogramsInsteadOfGaussians) {
   Knowledge k = small();
   k.class_densities = {{"a", "height", 0, 1, 0.2}, {"a", "height", 1, 1.5, 1.2}, {"a", "height", 2, 2.5, 0.4}};

@@ -31,8 +31,8 @@ struct Contribution {
 /// `product` (default): ln P(C|Φ) = ln π_C + Σ F_i ln p(x_i|C) − ln Z (log-linear pooling);
 /// `mean`: P(C|Φ) = Σ P(C|x_i) F_i / Σ F_i (Goldhoorn & Hartanto 2014, equation 1), P(C|x_i) by Bayes' theorem.
 /// Densities are per unit of the feature's scale: a histogram (class_density), else a Gaussian (class_feature), else
-/// uniform over the feature's range, for the fallback class and for any class without a row alike: a class without rows
-/// "says nothing" and wins only what fits no other class. Setting `outlier_share` ε (0 without a row) mixes in what
+/// what stands for the fallback class, and for that uniform over the feature's range: a feature that a class has no row for
+/// speaks neither for it nor against it, compared with the fallback class. Setting `outlier_share` ε (0 without a row) mixes in what
 /// odd values follow, half uniform and half the class's Gaussian at four times its width (likelihood.hpp, (1)). Outside all its bins a histogram counts as 1e-6 u. Features of weight 0, features
 /// that the table lacks and NaN values are left out. Without any known feature P(C|Φ) is the prior.
 [[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features);
