@@ -8,6 +8,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'area
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'aspect', 0.6068, 0.4913)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'behind', 0.4416, 0.2893)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'height', 0.9792, 0.6643)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'length', -0.4994, 0.7086)
@@ -66,6 +68,25 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'aspect', 4.78873, 5.98956, 0.2045),
   ('unknown', 'aspect', 5.98956, 7.49151, 0.09076),
   ('unknown', 'aspect', 7.49151, 100, 0.004025);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'behind', 0, 0.0971274, 2.242),
+  ('unknown', 'behind', 0.0971274, 0.105263, 0.4807),
+  ('unknown', 'behind', 0.105263, 0.194255, 0.4348),
+  ('unknown', 'behind', 0.194255, 0.291382, 0.7018),
+  ('unknown', 'behind', 0.291382, 0.297297, 0.7897),
+  ('unknown', 'behind', 0.297297, 0.38851, 0.6275),
+  ('unknown', 'behind', 0.38851, 0.4475, 0.9185),
+  ('unknown', 'behind', 0.4475, 0.485637, 1.073),
+  ('unknown', 'behind', 0.485637, 0.550847, 1.072),
+  ('unknown', 'behind', 0.550847, 0.582764, 1.114),
+  ('unknown', 'behind', 0.582764, 0.638009, 1.387),
+  ('unknown', 'behind', 0.638009, 0.679892, 1.306),
+  ('unknown', 'behind', 0.679892, 0.714286, 1.633),
+  ('unknown', 'behind', 0.714286, 0.777019, 1.62),
+  ('unknown', 'behind', 0.777019, 0.782759, 1.526),
+  ('unknown', 'behind', 0.782759, 0.874146, 1.169),
+  ('unknown', 'behind', 0.874146, 1, 0.03461);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'height', -0.5, 0.00735838, 0.01386),
@@ -254,6 +275,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'area_m
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'aspect', 0.4644, 0.3323)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'behind', 0, 0.005)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'height', 0.002009, 0.0225)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'length', 1.202, 0.6909)
@@ -311,6 +334,12 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('floor', 'aspect', 2.966, 3.46437, 0.1649),
   ('floor', 'aspect', 3.46437, 4.04648, 0.08315),
   ('floor', 'aspect', 4.04648, 100, 0.003443);
+DELETE FROM class_density WHERE class = 'floor' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('floor', 'behind', 0, 0.00166667, 285.7),
+  ('floor', 'behind', 0.00166667, 0.00333333, 189.3),
+  ('floor', 'behind', 0.00333333, 0.005, 84.61),
+  ('floor', 'behind', 0.005, 1, 0.06773);
 DELETE FROM class_density WHERE class = 'floor' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('floor', 'height', -0.5, -0.0375657, 0.02289),
@@ -479,6 +508,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'area
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'aspect', 0.4176, 0.3847)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'behind', 0.04135, 0.1176)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'height', 2.886, 0.3875)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'length', 1.369, 0.4689)
@@ -536,6 +567,19 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('ceiling', 'aspect', 3.60151, 4.32496, 0.1091),
   ('ceiling', 'aspect', 4.32496, 5.19374, 0.1225),
   ('ceiling', 'aspect', 5.19374, 100, 0.005435);
+DELETE FROM class_density WHERE class = 'ceiling' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('ceiling', 'behind', 0, 0.0519312, 15.84),
+  ('ceiling', 'behind', 0.0519312, 0.103862, 0.5821),
+  ('ceiling', 'behind', 0.103862, 0.116741, 0.4817),
+  ('ceiling', 'behind', 0.116741, 0.155794, 0.3947),
+  ('ceiling', 'behind', 0.155794, 0.207725, 0.2761),
+  ('ceiling', 'behind', 0.207725, 0.259656, 0.2841),
+  ('ceiling', 'behind', 0.259656, 0.311587, 0.4125),
+  ('ceiling', 'behind', 0.311587, 0.363518, 0.5),
+  ('ceiling', 'behind', 0.363518, 0.415449, 0.4152),
+  ('ceiling', 'behind', 0.415449, 0.467381, 0.2445),
+  ('ceiling', 'behind', 0.467381, 1, 0.02738);
 DELETE FROM class_density WHERE class = 'ceiling' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('ceiling', 'height', -0.5, 2.29357, 0.005668),
@@ -711,6 +755,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'area_m2
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'aspect', 0.5773, 0.4125)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'behind', 0.09698, 0.1898)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'height', 1.407, 0.3668)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'length', 1.045, 0.4714)
@@ -770,6 +816,20 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('wall', 'aspect', 4.41761, 5.46206, 0.1225),
   ('wall', 'aspect', 5.46206, 6.75346, 0.04487),
   ('wall', 'aspect', 6.75346, 100, 0.00388);
+DELETE FROM class_density WHERE class = 'wall' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('wall', 'behind', 0, 0.0811752, 9.017),
+  ('wall', 'behind', 0.0811752, 0.146673, 0.6206),
+  ('wall', 'behind', 0.146673, 0.16235, 0.7299),
+  ('wall', 'behind', 0.16235, 0.243526, 0.5967),
+  ('wall', 'behind', 0.243526, 0.324701, 0.5038),
+  ('wall', 'behind', 0.324701, 0.373072, 0.2912),
+  ('wall', 'behind', 0.373072, 0.405876, 0.301),
+  ('wall', 'behind', 0.405876, 0.487051, 0.24),
+  ('wall', 'behind', 0.487051, 0.568226, 0.35),
+  ('wall', 'behind', 0.568226, 0.649402, 0.2906),
+  ('wall', 'behind', 0.649402, 0.730577, 0.2417),
+  ('wall', 'behind', 0.730577, 1, 0.04272);
 DELETE FROM class_density WHERE class = 'wall' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('wall', 'height', -0.5, 0.295699, 0.01412),
@@ -947,6 +1007,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'area_m
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'aspect', 0.5417, 0.3018)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'behind', 0.5316, 0.2094)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'height', 0.7415, 0.131)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'length', 0.2856, 0.3436)
@@ -1004,6 +1066,23 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('table', 'aspect', 3.35804, 3.99247, 0.03871),
   ('table', 'aspect', 3.99247, 4.74675, 0.04488),
   ('table', 'aspect', 4.74675, 100, 0.00241);
+DELETE FROM class_density WHERE class = 'table' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('table', 'behind', 0, 0.0920347, 0.5778),
+  ('table', 'behind', 0.0920347, 0.184069, 0.3877),
+  ('table', 'behind', 0.184069, 0.238675, 0.3667),
+  ('table', 'behind', 0.238675, 0.276104, 0.4753),
+  ('table', 'behind', 0.276104, 0.367891, 1.01),
+  ('table', 'behind', 0.367891, 0.460174, 1.132),
+  ('table', 'behind', 0.460174, 0.552208, 1.157),
+  ('table', 'behind', 0.552208, 0.572844, 1.091),
+  ('table', 'behind', 0.572844, 0.631262, 1.841),
+  ('table', 'behind', 0.631262, 0.644243, 2.174),
+  ('table', 'behind', 0.644243, 0.676292, 2.394),
+  ('table', 'behind', 0.676292, 0.704915, 4.191),
+  ('table', 'behind', 0.704915, 0.727821, 4.615),
+  ('table', 'behind', 0.727821, 0.822222, 1.038),
+  ('table', 'behind', 0.822222, 1, 0.06194);
 DELETE FROM class_density WHERE class = 'table' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('table', 'height', -0.5, -0.00300238, 0.01268),
@@ -1188,6 +1267,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', '
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'aspect', 0.4008, 0.2221)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'behind', 0.5672, 0.1432)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'height', 1.03, 0.1178)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'length', -0.5852, 0.2671)
@@ -1242,6 +1323,26 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('flat_screen', 'aspect', 2.31001, 2.6035, 0.1759),
   ('flat_screen', 'aspect', 2.6035, 2.93429, 0.1109),
   ('flat_screen', 'aspect', 2.93429, 100, 0.003088);
+DELETE FROM class_density WHERE class = 'flat_screen' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('flat_screen', 'behind', 0, 0.133073, 0.07249),
+  ('flat_screen', 'behind', 0.133073, 0.212299, 0.242),
+  ('flat_screen', 'behind', 0.212299, 0.291526, 0.3835),
+  ('flat_screen', 'behind', 0.291526, 0.370752, 0.5313),
+  ('flat_screen', 'behind', 0.370752, 0.381549, 0.8947),
+  ('flat_screen', 'behind', 0.381549, 0.449978, 1.073),
+  ('flat_screen', 'behind', 0.449978, 0.474917, 1.561),
+  ('flat_screen', 'behind', 0.474917, 0.523892, 2.279),
+  ('flat_screen', 'behind', 0.523892, 0.576837, 2.13),
+  ('flat_screen', 'behind', 0.576837, 0.608431, 2.476),
+  ('flat_screen', 'behind', 0.608431, 0.616957, 2.975),
+  ('flat_screen', 'behind', 0.616957, 0.650937, 3.579),
+  ('flat_screen', 'behind', 0.650937, 0.67744, 3.773),
+  ('flat_screen', 'behind', 0.67744, 0.687657, 4.057),
+  ('flat_screen', 'behind', 0.687657, 0.714935, 2.682),
+  ('flat_screen', 'behind', 0.714935, 0.766884, 1.547),
+  ('flat_screen', 'behind', 0.766884, 0.84611, 0.2768),
+  ('flat_screen', 'behind', 0.84611, 1, 0.06621);
 DELETE FROM class_density WHERE class = 'flat_screen' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('flat_screen', 'height', -0.5, 0.698683, 0.008865),
@@ -1429,6 +1530,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'are
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'aspect', 0.7684, 0.3207)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'behind', 0.2491, 0.1568)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'height', 0.7836, 0.1043)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'length', -0.9088, 0.2983)
@@ -1486,6 +1589,25 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('keyboard', 'aspect', 3.43932, 3.81667, 0.2686),
   ('keyboard', 'aspect', 3.81667, 4.01358, 0.1341),
   ('keyboard', 'aspect', 4.01358, 100, 0.002413);
+DELETE FROM class_density WHERE class = 'keyboard' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('keyboard', 'behind', 0, 0.0350877, 3.157),
+  ('keyboard', 'behind', 0.0350877, 0.0712982, 0.8185),
+  ('keyboard', 'behind', 0.0712982, 0.116721, 1.843),
+  ('keyboard', 'behind', 0.116721, 0.142596, 2.039),
+  ('keyboard', 'behind', 0.142596, 0.175258, 1.584),
+  ('keyboard', 'behind', 0.175258, 0.213894, 1.442),
+  ('keyboard', 'behind', 0.213894, 0.238456, 2.637),
+  ('keyboard', 'behind', 0.238456, 0.259179, 4.568),
+  ('keyboard', 'behind', 0.259179, 0.285193, 2.913),
+  ('keyboard', 'behind', 0.285193, 0.303571, 2.437),
+  ('keyboard', 'behind', 0.303571, 0.356491, 2.038),
+  ('keyboard', 'behind', 0.356491, 0.427789, 1.41),
+  ('keyboard', 'behind', 0.427789, 0.46516, 0.7391),
+  ('keyboard', 'behind', 0.46516, 0.499087, 0.6547),
+  ('keyboard', 'behind', 0.499087, 0.570385, 0.5604),
+  ('keyboard', 'behind', 0.570385, 0.641683, 0.3268),
+  ('keyboard', 'behind', 0.641683, 1, 0.03973);
 DELETE FROM class_density WHERE class = 'keyboard' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('keyboard', 'height', -0.5, 0.615823, 0.01572),
@@ -1664,6 +1786,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'a
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'aspect', 0.3205, 0.2926)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'behind', 0.6111, 0.2125)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'height', 0.4735, 0.03346)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'length', -0.7206, 0.2093)
@@ -1721,6 +1845,26 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('chair_seat', 'aspect', 2.52384, 2.88071, 0.1814),
   ('chair_seat', 'aspect', 2.88071, 3.28804, 0.1058),
   ('chair_seat', 'aspect', 3.28804, 100, 0.00326);
+DELETE FROM class_density WHERE class = 'chair_seat' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('chair_seat', 'behind', 0, 0.0967491, 0.6042),
+  ('chair_seat', 'behind', 0.0967491, 0.193498, 0.0703),
+  ('chair_seat', 'behind', 0.193498, 0.290247, 0.4005),
+  ('chair_seat', 'behind', 0.290247, 0.386996, 0.4135),
+  ('chair_seat', 'behind', 0.386996, 0.483745, 0.2845),
+  ('chair_seat', 'behind', 0.483745, 0.560741, 0.8885),
+  ('chair_seat', 'behind', 0.560741, 0.580495, 2.416),
+  ('chair_seat', 'behind', 0.580495, 0.60252, 2.729),
+  ('chair_seat', 'behind', 0.60252, 0.656099, 2.004),
+  ('chair_seat', 'behind', 0.656099, 0.677244, 3.185),
+  ('chair_seat', 'behind', 0.677244, 0.691886, 2.963),
+  ('chair_seat', 'behind', 0.691886, 0.727853, 2.802),
+  ('chair_seat', 'behind', 0.727853, 0.758027, 3.712),
+  ('chair_seat', 'behind', 0.758027, 0.773993, 3.127),
+  ('chair_seat', 'behind', 0.773993, 0.798613, 2.386),
+  ('chair_seat', 'behind', 0.798613, 0.857143, 1.594),
+  ('chair_seat', 'behind', 0.857143, 0.870742, 0.5078),
+  ('chair_seat', 'behind', 0.870742, 1, 0.09675);
 DELETE FROM class_density WHERE class = 'chair_seat' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('chair_seat', 'height', -0.5, 0.386114, 0.008531),
@@ -1895,6 +2039,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'a
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'aspect', 0.3797, 0.2711)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'behind', 0.52, 0.3107)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'height', 0.8231, 0.09274)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'length', -0.5456, 0.2919)
@@ -1953,6 +2099,23 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('chair_back', 'aspect', 2.2569, 2.53521, 0.2868),
   ('chair_back', 'aspect', 2.53521, 2.84784, 0.1338),
   ('chair_back', 'aspect', 2.84784, 100, 0.003289);
+DELETE FROM class_density WHERE class = 'chair_back' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('chair_back', 'behind', 0, 0.0976209, 2.097),
+  ('chair_back', 'behind', 0.0976209, 0.152542, 0.2602),
+  ('chair_back', 'behind', 0.152542, 0.195242, 0.2153),
+  ('chair_back', 'behind', 0.195242, 0.292863, 0.252),
+  ('chair_back', 'behind', 0.292863, 0.390484, 0.3518),
+  ('chair_back', 'behind', 0.390484, 0.482456, 0.6667),
+  ('chair_back', 'behind', 0.482456, 0.488105, 0.9612),
+  ('chair_back', 'behind', 0.488105, 0.58209, 1.044),
+  ('chair_back', 'behind', 0.58209, 0.680851, 1.182),
+  ('chair_back', 'behind', 0.680851, 0.757426, 1.381),
+  ('chair_back', 'behind', 0.757426, 0.780967, 2.967),
+  ('chair_back', 'behind', 0.780967, 0.795964, 2.413),
+  ('chair_back', 'behind', 0.795964, 0.821053, 4.035),
+  ('chair_back', 'behind', 0.821053, 0.876106, 1.904),
+  ('chair_back', 'behind', 0.876106, 1, 0.1083);
 DELETE FROM class_density WHERE class = 'chair_back' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('chair_back', 'height', -0.5, 0.596861, 0.009483),
@@ -2138,6 +2301,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'area_m2
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'aspect', 0.7457, 0.2604)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'behind', 0.2445, 0.303)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'height', 1.14, 0.2002)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'length', 0.6233, 0.2514)
@@ -2195,6 +2360,21 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('door', 'aspect', 3.67134, 4.37168, 0.07054),
   ('door', 'aspect', 4.37168, 5.20562, 0.01256),
   ('door', 'aspect', 5.20562, 100, 0.004527);
+DELETE FROM class_density WHERE class = 'door' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('door', 'behind', 0, 0.0906821, 5.662),
+  ('door', 'behind', 0.0906821, 0.181364, 0.3741),
+  ('door', 'behind', 0.181364, 0.272046, 0.335),
+  ('door', 'behind', 0.272046, 0.362728, 0.4563),
+  ('door', 'behind', 0.362728, 0.45341, 0.54),
+  ('door', 'behind', 0.45341, 0.456175, 0.5631),
+  ('door', 'behind', 0.456175, 0.544092, 0.8683),
+  ('door', 'behind', 0.544092, 0.570241, 1.511),
+  ('door', 'behind', 0.570241, 0.634774, 0.9152),
+  ('door', 'behind', 0.634774, 0.698371, 0.7487),
+  ('door', 'behind', 0.698371, 0.725457, 1.427),
+  ('door', 'behind', 0.725457, 0.816139, 0.5906),
+  ('door', 'behind', 0.816139, 1, 0.08505);
 DELETE FROM class_density WHERE class = 'door' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('door', 'height', -0.5, 0.470733, 0.01397),
@@ -2378,6 +2558,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'area_
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'aspect', 0.352, 0.3259)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'behind', 0, 0.005)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'height', 1.526, 0.1636)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'length', 0.2862, 0.2873)
@@ -2437,6 +2619,12 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('window', 'aspect', 3.10836, 3.65504, 0.06856),
   ('window', 'aspect', 3.65504, 4.29788, 0.07364),
   ('window', 'aspect', 4.29788, 100, 0.003055);
+DELETE FROM class_density WHERE class = 'window' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('window', 'behind', 0, 0.00166667, 282),
+  ('window', 'behind', 0.00166667, 0.00333333, 188.1),
+  ('window', 'behind', 0.00333333, 0.005, 85.63),
+  ('window', 'behind', 0.005, 1, 0.0741);
 DELETE FROM class_density WHERE class = 'window' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('window', 'height', -0.5, 1.08935, 0.008416),
@@ -2619,6 +2807,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'a
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'aspect', 0.409, 0.316)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'behind', 0.00826, 0.04418)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'height', 1.393, 0.1426)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'length', 0.4515, 0.3388)
@@ -2674,6 +2864,18 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('whiteboard', 'aspect', 3.062, 3.59282, 0.09395),
   ('whiteboard', 'aspect', 3.59282, 4.21565, 0.08675),
   ('whiteboard', 'aspect', 4.21565, 100, 0.002992);
+DELETE FROM class_density WHERE class = 'whiteboard' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('whiteboard', 'behind', 0, 0.0347164, 25.46),
+  ('whiteboard', 'behind', 0.0347164, 0.0694327, 1.839),
+  ('whiteboard', 'behind', 0.0694327, 0.104149, 0.71),
+  ('whiteboard', 'behind', 0.104149, 0.138865, 0.334),
+  ('whiteboard', 'behind', 0.138865, 0.173582, 0.02842),
+  ('whiteboard', 'behind', 0.173582, 0.208298, 0.0006161),
+  ('whiteboard', 'behind', 0.208298, 0.243014, 1.778e-05),
+  ('whiteboard', 'behind', 0.243014, 0.277731, 3.121e-07),
+  ('whiteboard', 'behind', 0.277731, 0.312447, 3.023e-09),
+  ('whiteboard', 'behind', 0.312447, 1, 0.02204);
 DELETE FROM class_density WHERE class = 'whiteboard' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('whiteboard', 'height', -0.5, 0.814964, 0.01061),
@@ -2860,6 +3062,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'area_m
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'aspect', 0.9784, 0.4347)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'behind', 0.5526, 0.3168)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'height', 0.9727, 0.4838)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'length', -0.04425, 0.5027)
@@ -2919,6 +3123,24 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('shelf', 'aspect', 4.76252, 5.28505, 0.4917),
   ('shelf', 'aspect', 5.28505, 6.48338, 0.2617),
   ('shelf', 'aspect', 6.48338, 100, 0.001899);
+DELETE FROM class_density WHERE class = 'shelf' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('shelf', 'behind', 0, 0.0975294, 2.189),
+  ('shelf', 'behind', 0.0975294, 0.13367, 0.1544),
+  ('shelf', 'behind', 0.13367, 0.195059, 0.1388),
+  ('shelf', 'behind', 0.195059, 0.292588, 0.139),
+  ('shelf', 'behind', 0.292588, 0.390117, 0.194),
+  ('shelf', 'behind', 0.390117, 0.487647, 0.2843),
+  ('shelf', 'behind', 0.487647, 0.585176, 0.488),
+  ('shelf', 'behind', 0.585176, 0.590888, 1.055),
+  ('shelf', 'behind', 0.590888, 0.682661, 1.248),
+  ('shelf', 'behind', 0.682661, 0.735257, 2.077),
+  ('shelf', 'behind', 0.735257, 0.766441, 3.419),
+  ('shelf', 'behind', 0.766441, 0.780235, 4.934),
+  ('shelf', 'behind', 0.780235, 0.7878, 4.521),
+  ('shelf', 'behind', 0.7878, 0.822242, 3.223),
+  ('shelf', 'behind', 0.822242, 0.877764, 1.83),
+  ('shelf', 'behind', 0.877764, 1, 0.1084);
 DELETE FROM class_density WHERE class = 'shelf' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('shelf', 'height', -0.5, 0.00193634, 0.002176),
@@ -3106,6 +3328,8 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'area
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'aspect', 0.6163, 0.4204)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'behind', 0.546, 0.2187)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'height', 0.7524, 0.3481)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'length', 0.05277, 0.5219)
@@ -3164,6 +3388,25 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('cabinet', 'aspect', 4.28315, 5.27248, 0.08599),
   ('cabinet', 'aspect', 5.27248, 6.49033, 0.04753),
   ('cabinet', 'aspect', 6.49033, 100, 0.003378);
+DELETE FROM class_density WHERE class = 'cabinet' AND feature = 'behind';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('cabinet', 'behind', 0, 0.0967866, 0.5881),
+  ('cabinet', 'behind', 0.0967866, 0.193573, 0.4147),
+  ('cabinet', 'behind', 0.193573, 0.217758, 0.4307),
+  ('cabinet', 'behind', 0.217758, 0.29036, 0.5633),
+  ('cabinet', 'behind', 0.29036, 0.387146, 0.5454),
+  ('cabinet', 'behind', 0.387146, 0.414467, 0.8819),
+  ('cabinet', 'behind', 0.414467, 0.483933, 1.353),
+  ('cabinet', 'behind', 0.483933, 0.498236, 1.211),
+  ('cabinet', 'behind', 0.498236, 0.549435, 2.187),
+  ('cabinet', 'behind', 0.549435, 0.58072, 1.626),
+  ('cabinet', 'behind', 0.58072, 0.627522, 1.252),
+  ('cabinet', 'behind', 0.627522, 0.677506, 2.075),
+  ('cabinet', 'behind', 0.677506, 0.683643, 1.273),
+  ('cabinet', 'behind', 0.683643, 0.738175, 2.077),
+  ('cabinet', 'behind', 0.738175, 0.774293, 2.707),
+  ('cabinet', 'behind', 0.774293, 0.87108, 1.162),
+  ('cabinet', 'behind', 0.87108, 1, 0.05455);
 DELETE FROM class_density WHERE class = 'cabinet' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('cabinet', 'height', -0.5, 0.149348, 0.01214),
@@ -3341,61 +3584,65 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('cabinet', 'z_min', 1.15649, 4, 0.004631);
 
 -- Weights of features, priors of classes and weights of constraint rows: most likely classes given all others.
-UPDATE feature SET weight = 0.101 WHERE name = 'area_m2';
-UPDATE feature SET weight = 0.597 WHERE name = 'aspect';
-UPDATE feature SET weight = 0.301 WHERE name = 'height';
-UPDATE feature SET weight = 0.0022 WHERE name = 'length';
-UPDATE feature SET weight = 0.471 WHERE name = 'rectangularity';
-UPDATE feature SET weight = 0.254 WHERE name = 'spread_length';
-UPDATE feature SET weight = 0.157 WHERE name = 'spread_width';
-UPDATE feature SET weight = 0.412 WHERE name = 'tilt_deg';
-UPDATE feature SET weight = 0.311 WHERE name = 'width';
-UPDATE feature SET weight = 0.53 WHERE name = 'z_max';
-UPDATE feature SET weight = 0.376 WHERE name = 'z_min';
-UPDATE object_class SET prior = 0.348 WHERE name = 'unknown';
-UPDATE object_class SET prior = 0.0738 WHERE name = 'floor';
-UPDATE object_class SET prior = 0.0331 WHERE name = 'ceiling';
-UPDATE object_class SET prior = 0.101 WHERE name = 'wall';
-UPDATE object_class SET prior = 0.0347 WHERE name = 'table';
-UPDATE object_class SET prior = 0.0479 WHERE name = 'flat_screen';
-UPDATE object_class SET prior = 0.108 WHERE name = 'keyboard';
-UPDATE object_class SET prior = 0.0106 WHERE name = 'chair_seat';
-UPDATE object_class SET prior = 0.0569 WHERE name = 'chair_back';
-UPDATE object_class SET prior = 0.016 WHERE name = 'door';
-UPDATE object_class SET prior = 0.0228 WHERE name = 'window';
-UPDATE object_class SET prior = 0.0196 WHERE name = 'whiteboard';
-UPDATE object_class SET prior = 0.0703 WHERE name = 'shelf';
-UPDATE object_class SET prior = 0.0562 WHERE name = 'cabinet';
-UPDATE class_constraint SET weight = 3.07 WHERE name = 'some_floor';
-UPDATE class_constraint SET weight = 0.228 WHERE name = 'one_ceiling_level';
-UPDATE class_constraint SET weight = 3.73 WHERE name = 'ceiling_highest';
+UPDATE feature SET weight = 0.106 WHERE name = 'area_m2';
+UPDATE feature SET weight = 0.55 WHERE name = 'aspect';
+UPDATE feature SET weight = 0.561 WHERE name = 'behind';
+UPDATE feature SET weight = 0.238 WHERE name = 'height';
+UPDATE feature SET weight = 0.0291 WHERE name = 'length';
+UPDATE feature SET weight = 0.448 WHERE name = 'rectangularity';
+UPDATE feature SET weight = 0.266 WHERE name = 'spread_length';
+UPDATE feature SET weight = 0.117 WHERE name = 'spread_width';
+UPDATE feature SET weight = 0.404 WHERE name = 'tilt_deg';
+UPDATE feature SET weight = 0.261 WHERE name = 'width';
+UPDATE feature SET weight = 0.516 WHERE name = 'z_max';
+UPDATE feature SET weight = 0.386 WHERE name = 'z_min';
+UPDATE object_class SET prior = 0.379 WHERE name = 'unknown';
+UPDATE object_class SET prior = 0.0307 WHERE name = 'floor';
+UPDATE object_class SET prior = 0.0263 WHERE name = 'ceiling';
+UPDATE object_class SET prior = 0.121 WHERE name = 'wall';
+UPDATE object_class SET prior = 0.037 WHERE name = 'table';
+UPDATE object_class SET prior = 0.0587 WHERE name = 'flat_screen';
+UPDATE object_class SET prior = 0.099 WHERE name = 'keyboard';
+UPDATE object_class SET prior = 0.0122 WHERE name = 'chair_seat';
+UPDATE object_class SET prior = 0.0673 WHERE name = 'chair_back';
+UPDATE object_class SET prior = 0.0174 WHERE name = 'door';
+UPDATE object_class SET prior = 0.00584 WHERE name = 'window';
+UPDATE object_class SET prior = 0.0191 WHERE name = 'whiteboard';
+UPDATE object_class SET prior = 0.0679 WHERE name = 'shelf';
+UPDATE object_class SET prior = 0.0585 WHERE name = 'cabinet';
+UPDATE class_constraint SET weight = 3.01 WHERE name = 'some_floor';
+UPDATE class_constraint SET weight = 0.198 WHERE name = 'one_ceiling_level';
+UPDATE class_constraint SET weight = 4.02 WHERE name = 'floor_lowest';
+UPDATE class_constraint SET weight = 3.53 WHERE name = 'ceiling_highest';
 UPDATE class_constraint SET weight = 2.51 WHERE name = 'ceiling_over_floor';
-UPDATE class_constraint SET weight = 1.8 WHERE name = 'wall_upright';
-UPDATE class_constraint SET weight = 1.55 WHERE name = 'wall_meets_ceiling';
-UPDATE class_constraint SET weight = 2.79 WHERE name = 'table_level';
+UPDATE class_constraint SET weight = 1.83 WHERE name = 'wall_upright';
+UPDATE class_constraint SET weight = 1.53 WHERE name = 'wall_meets_ceiling';
+UPDATE class_constraint SET weight = 0.554 WHERE name = 'wall_square';
+UPDATE class_constraint SET weight = 0.49 WHERE name = 'wall_beside_wall';
+UPDATE class_constraint SET weight = 2.84 WHERE name = 'table_level';
 UPDATE class_constraint SET weight = 1.74 WHERE name = 'table_clear_above';
-UPDATE class_constraint SET weight = 1.53 WHERE name = 'screen_over_table';
-UPDATE class_constraint SET weight = 0.448 WHERE name = 'screen_upright';
-UPDATE class_constraint SET weight = 1.4 WHERE name = 'keyboard_on_table';
-UPDATE class_constraint SET weight = 0.323 WHERE name = 'keyboard_level';
-UPDATE class_constraint SET weight = 2.76 WHERE name = 'keyboard_before_screen';
-UPDATE class_constraint SET weight = 5.1 WHERE name = 'keyboard_not_beneath';
-UPDATE class_constraint SET weight = 1.04 WHERE name = 'keyboards_apart';
-UPDATE class_constraint SET weight = 0.629 WHERE name = 'screen_off_wall';
-UPDATE class_constraint SET weight = 0.926 WHERE name = 'seat_level';
-UPDATE class_constraint SET weight = 1.32 WHERE name = 'back_near_seat';
-UPDATE class_constraint SET weight = 0.628 WHERE name = 'back_not_on_table';
+UPDATE class_constraint SET weight = 1.46 WHERE name = 'screen_over_table';
+UPDATE class_constraint SET weight = 0.464 WHERE name = 'screen_upright';
+UPDATE class_constraint SET weight = 1.39 WHERE name = 'keyboard_on_table';
+UPDATE class_constraint SET weight = 0.267 WHERE name = 'keyboard_level';
+UPDATE class_constraint SET weight = 2.57 WHERE name = 'keyboard_before_screen';
+UPDATE class_constraint SET weight = 5.09 WHERE name = 'keyboard_not_beneath';
+UPDATE class_constraint SET weight = 1.03 WHERE name = 'keyboards_apart';
+UPDATE class_constraint SET weight = 0.49 WHERE name = 'screen_off_wall';
+UPDATE class_constraint SET weight = 0.961 WHERE name = 'seat_level';
+UPDATE class_constraint SET weight = 1.29 WHERE name = 'back_near_seat';
+UPDATE class_constraint SET weight = 0.615 WHERE name = 'back_not_on_table';
 UPDATE class_constraint SET weight = 2.01 WHERE name = 'door_upright';
-UPDATE class_constraint SET weight = 0.759 WHERE name = 'door_in_wall';
-UPDATE class_constraint SET weight = 1.21 WHERE name = 'window_in_wall';
-UPDATE class_constraint SET weight = 1.31 WHERE name = 'window_along_wall';
-UPDATE class_constraint SET weight = 0.947 WHERE name = 'whiteboard_on_wall';
-UPDATE class_constraint SET weight = 0.204 WHERE name = 'whiteboard_along_wall';
-UPDATE class_constraint SET weight = 1.01 WHERE name = 'shelf_not_on_table';
-UPDATE class_constraint SET weight = 1.28 WHERE name = 'shelf_near_shelf';
-UPDATE class_constraint SET weight = 0.045 WHERE name = 'cabinet_near_wall';
-UPDATE class_constraint SET weight = 1.75 WHERE name = 'cabinet_not_on_table';
+UPDATE class_constraint SET weight = 0.816 WHERE name = 'door_in_wall';
+UPDATE class_constraint SET weight = 1.36 WHERE name = 'window_in_wall';
+UPDATE class_constraint SET weight = 1.22 WHERE name = 'window_along_wall';
+UPDATE class_constraint SET weight = 1.43 WHERE name = 'whiteboard_on_wall';
+UPDATE class_constraint SET weight = 0.35 WHERE name = 'whiteboard_along_wall';
+UPDATE class_constraint SET weight = 0.992 WHERE name = 'shelf_not_on_table';
+UPDATE class_constraint SET weight = 1.11 WHERE name = 'shelf_near_shelf';
+UPDATE class_constraint SET weight = 0.01 WHERE name = 'cabinet_near_wall';
+UPDATE class_constraint SET weight = 1.72 WHERE name = 'cabinet_not_on_table';
 
 -- Scale of told probabilities: 1406 planes of 24 paper-like rooms, seeds from 8001.
-UPDATE setting SET value = '0.573' WHERE key = 'probability_slope';
-UPDATE setting SET value = '0.441' WHERE key = 'probability_offset';
+UPDATE setting SET value = '0.537' WHERE key = 'probability_slope';
+UPDATE setting SET value = '0.494' WHERE key = 'probability_offset';

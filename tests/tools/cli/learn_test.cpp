@@ -13,8 +13,8 @@ using testing::HasSubstr;
 
 const std::string kRows = "SELECT (SELECT group_concat(name || prior) FROM (SELECT name, prior FROM object_class ORDER BY name)), "
                           "(SELECT group_concat(name || weight) FROM (SELECT name, weight FROM feature ORDER BY name)), "
-                          "(SELECT count(*) || ' ' || sum(mean) || ' ' || sum(sigma) FROM class_feature), "
-                          "(SELECT count(*) || ' ' || sum(density) FROM class_density)";
+                          "(SELECT group_concat(class || feature || mean || sigma) FROM (SELECT * FROM class_feature ORDER BY class, feature)), "
+                          "(SELECT group_concat(class || feature || low || density) FROM (SELECT * FROM class_density ORDER BY class, feature, low))";
 
 using Learn = CommandLine;
 
