@@ -357,8 +357,8 @@ bool Network::is_met(Place place) {
   return evaluate(rounded_) <= bound();
 }
 
-/// At the root, which is worth the time, all that there is, unless the bound is the optimum already. Below it costs are spread already: pushing them to and fro
-/// would undo that, and diffusion alone goes on from there.
+/// Unless some assignment meets the bound already: at the root, which is worth the time, all that there is. Below it costs are
+/// spread already: pushing them to and fro would undo that, and two passes of diffusion go on from there.
 bool Network::strengthen(Place place) {
   const bool diffuses = shifting_ && !(binary_.empty() && requirements_.empty());
   const bool root = place == Place::root;
@@ -368,7 +368,7 @@ bool Network::strengthen(Place place) {
   if (pushing_ && !turn_to_and_fro(root ? 8 : 1, root ? 2 : 1)) return false;
   if (!diffuses) return true;
   pushing_ = false;
-  return root ? diffuse(60, 1024, 3) : diffuse(10, 4, 1);
+  return root ? diffuse(60, 1024, 3) : diffuse(2, 4, 2);
 }
 
 }  // namespace scenelore::engine

@@ -71,6 +71,9 @@ struct Solver::Implementation {
   SearchResult solve(Component& component, const std::vector<Decision>& decisions, Budget& budget,
                      Cost limit = kTop / 2);
   Cost least_cost(const Component& component) const;
+  /// An assignment of the component that agrees with the decisions and is cheaper than the limit, by local search.
+  std::optional<std::vector<int>> polished(const Component& component, const std::vector<Decision>& decisions, Cost limit,
+                                           std::uint64_t sweeps, Budget& budget);
   SearchResult split(Component& component, Search& search, const std::vector<Decision>& decisions, Cost limit) const;
   /// Those of the k cheapest that are below the limit.
   Worlds k_best(Component& component, int k, Budget& budget, Cost limit = kTop / 2);
@@ -101,6 +104,7 @@ struct Solver::Implementation {
   Cost asked = 0;         ///< what was asked for last, once the optimum was known
   Decomposition parts{};  ///< made when first needed, with no more labels than that asks for
   std::vector<std::pair<double, std::vector<int>>> met{};  ///< worlds of the whole problem, for upper bounds
+  std::vector<int> polished_world{};  ///< where looking for better ones goes on
   std::vector<int> best_world{};                                 ///< an optimal one, once it is proved
   std::optional<LocalSearch> local_search{};
   mutable std::optional<Outline> outlined{};

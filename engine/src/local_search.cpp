@@ -1,6 +1,9 @@
 #include "local_search.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 
 namespace scenelore::engine {
 namespace {
@@ -26,7 +29,16 @@ LocalSearch::LocalSearch(const Outline& outline)
     if (outline.counts[c].condition >= 0) add(outline.counts[c].condition);
     for (const int literal : outline.counts[c].literals) add(literal);
   }
+  std::map<std::pair<int, double>, std::size_t> tables;
   for (std::size_t p = 0; p < outline.pairs.size(); ++p) {
+    const Outline::Pair& pair = outline.pairs[p];
+    const auto [known, fresh] = tables.try_emplace({pair.table, pair.weight}, tables_.size());
+    table_.push_back(known->second);
+    if (fresh) {
+      auto& table = tables_.emplace_back();
+      for (int a = 0; a < outline.labels(pair.a); ++a)
+        for (int b = 0; b < outline.labels(pair.b); ++b) table.push_back(outline.cost(pair, a, b));
+    }
     pairs_[index(outline.pairs[p].a)].push_back(static_cast<int>(p));
     pairs_[index(outline.pairs[p].b)].push_back(static_cast<int>(p));
   }
@@ -55,33 +67,125 @@ std::vector<int> LocalSearch::begin(const Assumptions& assumptions, const std::v
 void LocalSearch::charge(std::size_t literal, int sign) {
   for (const auto& [other, number] : outline_.clashes_of(static_cast<int>(literal)))
     charged_[index(other)].add(outline_.price[index(number)], sign);
+  const int v = outline_.variable(static_cast<int>(literal)), label = outline_.label(static_cast<int>(literal));
+  for (const int p : pairs_[index(v)]) {
+    const Outline::Pair& pair = outline_.pairs[index(p)];
+    const bool is_a = pair.a == v;
+    const int other = is_a ? pair.b : pair.a, columns = outline_.labels(pair.b);
+    const Cost* cost = tables_[table_[index(p)]].data() + (is_a ? label * columns : label);
+    Price* charged = charged_.data() + outline_.first_label[index(other)];
+    for (int l = 0; l < outline_.labels(other); ++l, cost += is_a ? 1 : columns)
+      if (*cost != 0) charged[l].add(*cost, sign);
+  }
+}
+
+void LocalSearch::start(std::vector<int>& assignment) {
+  labels_ = &assignment;
+  total_ = {};
+  charged_.assign(outline_.own.size(), {});
+  for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
+  open_.clear();
+  for (int v = 0; v < outline_.variables(); ++v) {
+    charge(held(v), 1);
+    const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
+    if (std::count(allowed, allowed + outline_.labels(v), 1) > 1) open_.push_back(v);
+  }
+}
+
+/// weigh(v) has been called.
+void LocalSearch::change(int v, int label) {
+  int& own = (*labels_)[index(v)];
+  total_.broken += prices_[index(label)].broken - prices_[index(own)].broken;
+  total_.cost += prices_[index(label)].cost - prices_[index(own)].cost;
+  charge(held(v), -1);
+  own = label;
+  charge(held(v), 1);
+}
+
+bool LocalSearch::improve(int v) {
+  weigh(v);
+  const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
+  int label = (*labels_)[index(v)];
+  for (int l = 0; l < outline_.labels(v); ++l)
+    if (allowed[l] != 0 && prices_[index(l)] < prices_[index(label)]) label = l;
+  if (label == (*labels_)[index(v)]) return false;
+  change(v, label);
+  return true;
+}
+
+void LocalSearch::go_down(int most_sweeps, int least_sweeps, Budget& budget) {
+  bool changed = true;
+  for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
+    if (sweep >= least_sweeps && budget.out_of_time()) return;
+    changed = false;
+    for (const int v : open_) changed = improve(v) || changed;
+  }
 }
 
 void LocalSearch::descend(std::vector<int>& assignment, Budget& budget) {
   constexpr int kLeastSweeps = 4;  // these come first, so that there is something to keep
   constexpr int kMostSweeps = 100;
-  labels_ = &assignment;
-  charged_.assign(outline_.own.size(), {});
-  for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
-  for (int v = 0; v < outline_.variables(); ++v) charge(held(v), 1);
-  bool changed = true;
-  for (int sweep = 0; changed && sweep < kMostSweeps; ++sweep) {
-    if (sweep >= kLeastSweeps && budget.out_of_time()) return;
-    changed = false;
-    for (int v = 0; v < outline_.variables(); ++v) {
-      const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
-      if (std::count(allowed, allowed + outline_.labels(v), 1) < 2) continue;
-      weigh(v);
-      int label = assignment[index(v)];
-      for (int l = 0; l < outline_.labels(v); ++l)
-        if (allowed[l] != 0 && prices_[index(l)] < prices_[index(label)]) label = l;
-      if (label == assignment[index(v)]) continue;
-      charge(held(v), -1);
-      assignment[index(v)] = label;
-      charge(held(v), 1);
-      changed = true;
-    }
+  start(assignment);
+  go_down(kMostSweeps, kLeastSweeps, budget);
+}
+
+/// What a change of one label costs here, about: the mean over the open variables of the second best label less the best one.
+double LocalSearch::mean_step() {
+  double sum = 0;
+  for (const int v : open_) {
+    weigh(v);
+    std::vector<Cost> costs;
+    for (std::size_t l = 0; l < prices_.size(); ++l)
+      if (allowed_[index(outline_.first_label[index(v)]) + l] != 0) costs.push_back(prices_[l].cost);
+    std::partial_sort(costs.begin(), costs.begin() + 2, costs.end());
+    sum += static_cast<double>(costs[1] - costs[0]);
   }
+  return sum / static_cast<double>(open_.size());
+}
+
+/// A label by its price at this temperature (heat bath).
+int LocalSearch::drawn(int v, double temperature, double broken) {
+  const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
+  const auto price = [&](std::size_t l) { return broken * prices_[l].broken + static_cast<double>(prices_[l].cost); };
+  double least = std::numeric_limits<double>::infinity(), sum = 0;
+  for (std::size_t l = 0; l < prices_.size(); ++l)
+    if (allowed[l] != 0) least = std::min(least, price(l));
+  shares_.assign(prices_.size(), 0);
+  for (std::size_t l = 0; l < prices_.size(); ++l)
+    if (allowed[l] != 0) sum += shares_[l] = std::exp((least - price(l)) / temperature);
+  double at = sum * static_cast<double>(random_() >> 11) * 0x1.0p-53;
+  int last = (*labels_)[index(v)];
+  for (std::size_t l = 0; l < shares_.size(); ++l) {
+    if (shares_[l] <= 0) continue;
+    last = static_cast<int>(l);
+    at -= shares_[l];
+    if (at < 0) break;
+  }
+  return last;
+}
+
+void LocalSearch::anneal(std::vector<int>& assignment, std::uint64_t sweeps, Budget& budget) {
+  // In steps as mean_step() tells them. Chosen on random planes, 60 and 200 of them.
+  constexpr double kHot = 3, kCold = 0.1, kBroken = 3;
+  constexpr int kMostSweeps = 20;
+  start(assignment);
+  if (open_.empty()) return;
+  const double step = std::max(1.0, mean_step());
+  std::vector<int> best = assignment;
+  Price least = total_;
+  for (std::uint64_t sweep = 0; sweep < sweeps && !budget.out_of_time(); ++sweep) {
+    const double part = static_cast<double>(sweep) / static_cast<double>(sweeps);
+    const double temperature = step * kHot * std::pow(kCold / kHot, part);
+    for (const int v : open_) {
+      weigh(v);
+      const int label = drawn(v, temperature, step * kBroken);
+      if (label != assignment[index(v)]) change(v, label);
+    }
+    if (total_ < least) least = total_, best = assignment;
+  }
+  assignment = std::move(best);
+  start(assignment);
+  go_down(kMostSweeps, kMostSweeps, budget);
 }
 
 void LocalSearch::weigh(int v) {
@@ -89,7 +193,6 @@ void LocalSearch::weigh(int v) {
   prices_.assign(first, first + outline_.labels(v));
   weigh_needs(v);
   weigh_counts(v);
-  weigh_pairs(v);
 }
 
 /// Of the props that hold at other variables.
@@ -130,18 +233,6 @@ void LocalSearch::weigh_counts(int v) {
       const bool counts = std::binary_search(count.literals.begin(), count.literals.end(), static_cast<int>(first + l));
       const int off = std::max({0, count.low - others - counts, others + counts - count.high});
       if (off > 0) prices_[l].add(is_forbidden(count.weight) ? kTop : off * count.weight);
-    }
-  }
-}
-
-void LocalSearch::weigh_pairs(int v) {
-  for (const int p : pairs_[index(v)]) {
-    const Outline::Pair& pair = outline_.pairs[index(p)];
-    const bool is_a = pair.a == v;
-    const int other = (*labels_)[index(is_a ? pair.b : pair.a)];
-    for (std::size_t l = 0; l < prices_.size(); ++l) {
-      const int label = static_cast<int>(l);
-      prices_[l].add(is_a ? outline_.cost(pair, label, other) : outline_.cost(pair, other, label));
     }
   }
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "budget.hpp"
@@ -21,6 +24,11 @@ class LocalSearch {
   /// Broken hard constraints count as dearer than everything else, so that the result may break some. Ends early when time
   /// runs out, but not before the fourth look at each variable.
   void descend(std::vector<int>& assignment, Budget& budget);
+  /// Labels that may change from now on, in place of what begin() left: `allowed` by literal of the outline.
+  void allow(std::vector<char> allowed) { allowed_ = std::move(allowed); }
+  /// Simulated annealing (Kirkpatrick, Gelatt, Vecchi, Science 1983), by heat bath and variable by variable, and down again from
+  /// the best that was met; no worse than before. The same random numbers each time.
+  void anneal(std::vector<int>& assignment, std::uint64_t sweeps, Budget& budget);
 
  private:
   struct Price {
@@ -45,13 +53,19 @@ class LocalSearch {
     return static_cast<std::size_t>(outline_.first_label[at] + (*labels_)[at]);
   }
   bool holds(int literal) const { return static_cast<int>(held(outline_.variable(literal))) == literal; }
-  /// Adds (or takes back) what the conflicts of a label that holds cost other labels.
+  double mean_step();
+  int drawn(int v, double temperature, double broken);
+  void start(std::vector<int>& assignment);
+  void change(int v, int label);
+  /// To the best label of v, if there is a better one. Returns whether.
+  bool improve(int v);
+  void go_down(int most_sweeps, int least_sweeps, Budget& budget);
+  /// Adds (or takes back) what the conflicts and pairs of a label that holds cost other labels.
   void charge(std::size_t literal, int sign);
   /// prices_ of v's labels, everything else as it is.
   void weigh(int v);
   void weigh_needs(int v);
   void weigh_counts(int v);
-  void weigh_pairs(int v);
   Cost least_prop(const Outline::Need& need, int without) const;
 
   const Outline& outline_;
@@ -59,9 +73,15 @@ class LocalSearch {
   std::vector<Use> uses_;
   std::vector<std::vector<int>> counts_, pairs_;  ///< by variable
   std::vector<char> allowed_;                     ///< by literal
-  std::vector<Price> charged_;                    ///< by literal: its own cost and conflicts with labels that hold
+  std::vector<std::vector<Cost>> tables_;         ///< of pairs, row-major
+  std::vector<std::size_t> table_;                ///< by pair
+  std::vector<int> open_;                         ///< variables with two labels or more that are allowed
+  std::vector<Price> charged_;                    ///< by literal: its own cost, and conflicts and pairs with labels that hold
   std::vector<Price> prices_;                     ///< by label of the variable at hand
-  const std::vector<int>* labels_ = nullptr;
+  std::vector<int>* labels_ = nullptr;
+  std::mt19937_64 random_;  ///< the same sequence for each problem
+  Price total_{};                                 ///< since start(): how much dearer than at first
+  std::vector<double> shares_;                    ///< of labels, see drawn()
 };
 
 }  // namespace scenelore::engine

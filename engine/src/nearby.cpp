@@ -90,6 +90,39 @@ bool Solver::Implementation::reach(Cost limit, Budget& budget) {
   return true;
 }
 
+std::optional<std::vector<int>> Solver::Implementation::polished(const Component& component,
+                                                                 const std::vector<Decision>& decisions, Cost limit,
+                                                                 std::uint64_t sweeps, Budget& budget) {
+  if (!local_search) local_search.emplace(outline());
+  std::vector<int>& world = polished_world;
+  if (world.empty()) {
+    world = local_search->begin({});
+    local_search->descend(world, budget);
+  }
+  std::vector<char> allowed(index(outline().literals()), 0);
+  const auto literal = [&](std::size_t place, int label) {
+    return index(outline().literal({component.variables[place], component.labels[place][index(label)]}));
+  };
+  for (std::size_t i = 0; i < component.variables.size(); ++i) {
+    for (const int label : component.network.live(static_cast<int>(i))) allowed[literal(i, label)] = 1;
+    for (const Decision& d : decisions) {
+      if (index(d.variable) != i) continue;
+      for (int label = 0; label < component.network.labels(d.variable); ++label)
+        if ((label == d.label) != d.equal) allowed[literal(i, label)] = 0;
+    }
+    int& own = world[index(component.variables[i])];
+    for (int label = 0; allowed[index(outline().literal({component.variables[i], own}))] == 0; ++label) {
+      if (label == component.network.labels(static_cast<int>(i))) return std::nullopt;
+      if (allowed[literal(i, label)] != 0) own = component.labels[i][index(label)];
+    }
+  }
+  local_search->allow(std::move(allowed));
+  local_search->anneal(world, sweeps, budget);
+  const std::vector<int> labels = part_of(parts, component, world);
+  if (component.network.evaluate(labels) >= limit) return std::nullopt;
+  return labels;
+}
+
 /// What is known when time runs out before there is anything to search.
 Solution Solver::Implementation::unbuilt(const Assumptions& assumptions, const Budget& budget) const {
   Cost least = 0;

@@ -201,6 +201,7 @@ class Network {
 
   void set(int cell, Cost cost) {
     const auto i = static_cast<std::size_t>(cell);
+    if (cost_[i] == cost) return;
     if (saved_at_[i] != stamp_ && !marks_.empty()) {
       saved_at_[i] = stamp_;
       saved_costs_.push_back({cell, cost_[i]});

@@ -8,7 +8,6 @@
 #include "proof_log.hpp"
 
 namespace scenelore::engine {
-
 SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
   SearchResult result;
   result.cost = limit;
@@ -34,9 +33,12 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   burst_limit_ = in_order_ || log_ != nullptr ? std::numeric_limits<std::uint64_t>::max() : 1;
   last_failed_ = assumptions.empty() || assumptions.back().equal ? -1 : assumptions.back().variable;
   open_.push({network_.bound(), number_++, assumptions});
+  nodes_before_ = budget_.nodes;
+  next_polish_ = is_forbidden(limit) ? 0 : 1;
   Cost reported = 0;
   while (!open_.empty() && open_.top().bound < limit_) {
     if (stopped()) return false;
+    if (rounding_ && polish_ && budget_.nodes - nodes_before_ >= next_polish_) polish();
     const Open next = open_.top();
     open_.pop();
     if (report_.observer != nullptr && next.bound > reported) {
@@ -87,6 +89,16 @@ void Search::round() {
   network_.round(assignment_);
   const Cost cost = network_.evaluate(assignment_);
   if (cost < limit_) limit_ = network_.rounded_limit(accept_(assignment_, cost));
+}
+
+/// A little at first; more once the search is a long one, or has nothing.
+void Search::polish() {
+  constexpr std::uint64_t kFewSweeps = 100, kManySweeps = 500, kSweepsANode = 2, kLongSearch = 256;
+  const std::uint64_t nodes = budget_.nodes - nodes_before_;
+  const bool thorough = is_forbidden(limit_) || nodes >= kLongSearch;
+  const auto better = polish_(limit_, thorough ? std::max(kManySweeps, kSweepsANode * nodes) : kFewSweeps);
+  if (better) limit_ = network_.rounded_limit(accept_(*better, network_.evaluate(*better)));
+  next_polish_ = std::max(is_forbidden(limit_) ? 4 : kLongSearch, 2 * nodes);
 }
 
 void Search::burst(const Open& open) {

@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "budget.hpp"
@@ -29,6 +31,9 @@ struct SearchResult {
   bool complete = false;
 };
 
+/// Looks for an assignment below the limit without a proof, with so many sweeps over the variables; nothing when there is none.
+using Polish = std::function<std::optional<std::vector<int>>(Cost limit, std::uint64_t sweeps)>;
+
 /// Called with each complete assignment that is found below the limit; returns the new limit.
 using Accept = std::function<Cost(const std::vector<int>& assignment, Cost cost)>;
 
@@ -47,6 +52,8 @@ class Search {
   void prefer(const std::vector<int>& assignment) { preferred_ = assignment; }
   /// Depth first by variables and labels in ascending order, so that assignments are met in lexicographic order.
   void search_in_order() { in_order_ = true; }
+  /// From time to time, and in proportion to the work done, run() asks this for a better assignment.
+  void polish_with(Polish polish) { polish_ = std::move(polish); }
   /// Depth first in one go, each branch told to `log`, which the network has too.
   void log_to(ProofLog& log) { log_ = &log; }
   /// Least cost assignment below `limit` under `assumptions`.
@@ -76,6 +83,7 @@ class Search {
   bool apply(const Decision& decision);
   bool leaf(Cost& cost);
   void round();
+  void polish();
   Decision first_in_order() const;
   int branching_variable() const;
   Cost clearance(int v) const;
@@ -87,6 +95,8 @@ class Search {
   Budget& budget_;
   const Report& report_;
   Accept accept_;
+  Polish polish_;
+  std::uint64_t nodes_before_ = 0, next_polish_ = 0;
   Cost limit_ = kTop / 2;
   std::priority_queue<Open> open_;
   std::uint64_t number_ = 0;

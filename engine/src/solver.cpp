@@ -43,6 +43,7 @@ void Solver::Implementation::refresh() {
   parts = {};
   met.clear();
   best_world.clear();
+  polished_world.clear();
   local_search.reset();
   outlined.reset();
 }
@@ -135,6 +136,8 @@ SearchResult Solver::Implementation::solve(Component& component, const std::vect
     search.prefer(known);
   else if (!component.best.empty())
     search.prefer(component.best);
+  if (component.whole && options.bound != Bound::paper)
+    search.polish_with([&](Cost of, std::uint64_t sweeps) { return polished(component, decisions, of, sweeps, budget); });
   const bool splits = !decisions.empty() && !decisions.back().equal;
   result = splits ? split(component, search, decisions, result.cost) : search.run(decisions, result.cost);
   if (result.assignment.empty())

@@ -57,5 +57,26 @@ TEST(Bound, IsRoundedUpWhenAllCostsAreWhole) {
   EXPECT_LT(whole * 3, other * 2);
 }
 
+TEST(Bound, OfPlanesWithATruthIsTheOptimumBeforeTheFirstBranch) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    for (const bool graded : {false, true}) {
+      const Problem problem = testing::plane_problem(seed, {.planes = 80, .truth = 3.5, .graded = graded});
+      const Solution root = Solver(problem, {.limits = {.nodes = 0}}).solve();
+      EXPECT_EQ(root.outcome, Outcome::proved) << root.cost << " over " << root.lower_bound;
+    }
+  }
+}
+
+TEST(Incumbent, OfPlanesWithoutATruthIsFoundWhereDescentAndDivingEndInClashes) {
+  const Problem problem = testing::plane_problem(3, {.planes = 150, .truth = 0});
+  const Solution early = Solver(problem, {.limits = {.nodes = 1}}).solve();
+  ASSERT_EQ(early.outcome, Outcome::feasible);
+  const Solution later = Solver(problem, {.limits = {.nodes = 20}}).solve();
+  EXPECT_LE(later.cost, early.cost);
+  EXPECT_LE(later.lower_bound, later.cost);
+  EXPECT_EQ(later.assignment, Solver(problem, {.limits = {.nodes = 20}}).solve().assignment);
+}
+
 }  // namespace
 }  // namespace scenelore::engine
