@@ -79,36 +79,47 @@ void LocalSearch::charge(std::size_t literal, int sign) {
   }
 }
 
-void LocalSearch::start(std::vector<int>& assignment) {
-  labels_ = &assignment;
+/// What is charged is kept: a part of a large problem starts from where another part ended.
+void LocalSearch::start(const std::vector<int>& assignment) {
   total_ = {};
-  charged_.assign(outline_.own.size(), {});
-  for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
+  const bool fresh = labels_.empty();
+  if (fresh) {
+    labels_ = assignment;
+    charged_.assign(outline_.own.size(), {});
+    for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
+  }
   open_.clear();
   for (int v = 0; v < outline_.variables(); ++v) {
-    charge(held(v), 1);
+    if (fresh)
+      charge(held(v), 1);
+    else if (labels_[index(v)] != assignment[index(v)])
+      hold(v, assignment[index(v)]);
     const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
     if (std::count(allowed, allowed + outline_.labels(v), 1) > 1) open_.push_back(v);
   }
 }
 
+void LocalSearch::hold(int v, int label) {
+  charge(held(v), -1);
+  labels_[index(v)] = label;
+  charge(held(v), 1);
+}
+
 /// weigh(v) has been called.
 void LocalSearch::change(int v, int label) {
-  int& own = (*labels_)[index(v)];
+  const int own = labels_[index(v)];
   total_.broken += prices_[index(label)].broken - prices_[index(own)].broken;
   total_.cost += prices_[index(label)].cost - prices_[index(own)].cost;
-  charge(held(v), -1);
-  own = label;
-  charge(held(v), 1);
+  hold(v, label);
 }
 
 bool LocalSearch::improve(int v) {
   weigh(v);
   const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
-  int label = (*labels_)[index(v)];
+  int label = labels_[index(v)];
   for (int l = 0; l < outline_.labels(v); ++l)
     if (allowed[l] != 0 && prices_[index(l)] < prices_[index(label)]) label = l;
-  if (label == (*labels_)[index(v)]) return false;
+  if (label == labels_[index(v)]) return false;
   change(v, label);
   return true;
 }
@@ -127,6 +138,7 @@ void LocalSearch::descend(std::vector<int>& assignment, Budget& budget) {
   constexpr int kMostSweeps = 100;
   start(assignment);
   go_down(kMostSweeps, kLeastSweeps, budget);
+  assignment = labels_;
 }
 
 /// What a change of one label costs here, about: the mean over the open variables of the second best label less the best one.
@@ -154,7 +166,7 @@ int LocalSearch::drawn(int v, double temperature, double broken) {
   for (std::size_t l = 0; l < prices_.size(); ++l)
     if (allowed[l] != 0) sum += shares_[l] = std::exp((least - price(l)) / temperature);
   double at = sum * static_cast<double>(random_() >> 11) * 0x1.0p-53;
-  int last = (*labels_)[index(v)];
+  int last = labels_[index(v)];
   for (std::size_t l = 0; l < shares_.size(); ++l) {
     if (shares_[l] <= 0) continue;
     last = static_cast<int>(l);
@@ -179,13 +191,13 @@ void LocalSearch::anneal(std::vector<int>& assignment, std::uint64_t sweeps, Bud
     for (const int v : open_) {
       weigh(v);
       const int label = drawn(v, temperature, step * kBroken);
-      if (label != assignment[index(v)]) change(v, label);
+      if (label != labels_[index(v)]) change(v, label);
     }
-    if (total_ < least) least = total_, best = assignment;
+    if (total_ < least) least = total_, best = labels_;
   }
-  assignment = std::move(best);
-  start(assignment);
+  start(best);
   go_down(kMostSweeps, kMostSweeps, budget);
+  assignment = labels_;
 }
 
 void LocalSearch::weigh(int v) {

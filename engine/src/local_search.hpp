@@ -50,12 +50,13 @@ class LocalSearch {
 
   std::size_t held(int v) const {
     const auto at = static_cast<std::size_t>(v);
-    return static_cast<std::size_t>(outline_.first_label[at] + (*labels_)[at]);
+    return static_cast<std::size_t>(outline_.first_label[at] + labels_[at]);
   }
   bool holds(int literal) const { return static_cast<int>(held(outline_.variable(literal))) == literal; }
   double mean_step();
   int drawn(int v, double temperature, double broken);
-  void start(std::vector<int>& assignment);
+  void start(const std::vector<int>& assignment);
+  void hold(int v, int label);
   void change(int v, int label);
   /// To the best label of v, if there is a better one. Returns whether.
   bool improve(int v);
@@ -78,7 +79,7 @@ class LocalSearch {
   std::vector<int> open_;                         ///< variables with two labels or more that are allowed
   std::vector<Price> charged_;                    ///< by literal: its own cost, and conflicts and pairs with labels that hold
   std::vector<Price> prices_;                     ///< by label of the variable at hand
-  std::vector<int>* labels_ = nullptr;
+  std::vector<int> labels_;                       ///< what charged_ is about
   std::mt19937_64 random_;  ///< the same sequence for each problem
   Price total_{};                                 ///< since start(): how much dearer than at first
   std::vector<double> shares_;                    ///< of labels, see drawn()

@@ -116,11 +116,15 @@ std::optional<std::vector<int>> Solver::Implementation::polished(const Component
       if (allowed[literal(i, label)] != 0) own = component.labels[i][index(label)];
     }
   }
+  const auto cheaper = [&]() -> std::optional<std::vector<int>> {
+    std::vector<int> labels = part_of(parts, component, world);
+    if (component.network.evaluate(labels) >= limit) return std::nullopt;
+    return labels;
+  };
+  if (auto labels = cheaper()) return labels;  // descent breaks something elsewhere alone
   local_search->allow(std::move(allowed));
   local_search->anneal(world, sweeps, budget);
-  const std::vector<int> labels = part_of(parts, component, world);
-  if (component.network.evaluate(labels) >= limit) return std::nullopt;
-  return labels;
+  return cheaper();
 }
 
 /// What is known when time runs out before there is anything to search.

@@ -95,7 +95,7 @@ void Search::round() {
 void Search::polish() {
   constexpr std::uint64_t kFewSweeps = 100, kManySweeps = 500, kSweepsANode = 2, kLongSearch = 256;
   const std::uint64_t nodes = budget_.nodes - nodes_before_;
-  const bool thorough = is_forbidden(limit_) || nodes >= kLongSearch;
+  const bool thorough = nodes >= (is_forbidden(limit_) ? 1 : kLongSearch);
   const auto better = polish_(limit_, thorough ? std::max(kManySweeps, kSweepsANode * nodes) : kFewSweeps);
   if (better) limit_ = network_.rounded_limit(accept_(*better, network_.evaluate(*better)));
   next_polish_ = std::max(is_forbidden(limit_) ? 4 : kLongSearch, 2 * nodes);
