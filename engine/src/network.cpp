@@ -257,6 +257,12 @@ void Network::round(std::vector<int>& assignment) const {
   }
 }
 
+int Network::open_pairs() const {
+  return static_cast<int>(std::count_if(binary_.begin(), binary_.end(), [&](const BinaryFunction& f) {
+    return at(f.x).live > 1 && at(f.y).live > 1 && cost_at(f.idle_cell) == 0;
+  }));
+}
+
 void Network::push() {
   marks_.push_back({saved_costs_.size(), saved_domains_.size()});
   stamps_.push_back(stamp_);

@@ -109,6 +109,7 @@ class Network {
   void close();
   /// False: propagate like the paper's bound, only what assigned variables cost, and hard arc consistency.
   void set_shifting(bool on) { shifting_ = on; }
+  bool shifts() const { return shifting_; }
   /// From now on each step is told to `log` (nullptr: to nobody), and labels go only when the shifts that show it are made.
   void set_log(ProofLog* log) { log_ = log; }
   /// From now on propagation ends early, with what it has, when this is out of time (nullptr: it does not).
@@ -139,6 +140,9 @@ class Network {
   Residual residual() const;
   /// Adjacent through a function; for components and variable choice.
   int degree(int v) const { return static_cast<int>(links_[static_cast<std::size_t>(v)].size()); }
+
+  /// How many binary functions two open variables depend on still.
+  int open_pairs() const;
 
   // --- search ---
   void push();

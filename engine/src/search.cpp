@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "proof_log.hpp"
+#include "tree_solver.hpp"
 
 namespace scenelore::engine {
 SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
@@ -91,6 +92,27 @@ void Search::round() {
   if (cost < limit_) limit_ = network_.rounded_limit(accept_(assignment_, cost));
 }
 
+/// A node whose open variables hang together so loosely that small tables do is settled without a branch. Returns whether.
+bool Search::finish() {
+  constexpr int kMostOpen = 48;
+  constexpr std::size_t kMostEntries = 10'000;
+  constexpr int kMostPairsAVariable = 3;
+  if (!eliminates_ || log_ != nullptr || !network_.shifts()) return false;
+  int open = 0;
+  for (int v = 0; v < network_.variables(); ++v) open += network_.live(v).size() > 1 ? 1 : 0;
+  if (open > kMostOpen || network_.open_pairs() > kMostPairsAVariable * open) return false;
+  const Residual residual = network_.residual();
+  const auto best = solve_by_elimination(residual, kMostEntries);
+  if (!best) return false;
+  if (best->cost >= limit_) return true;
+  assignment_.resize(static_cast<std::size_t>(network_.variables()));
+  for (int v = 0; v < network_.variables(); ++v) assignment_[static_cast<std::size_t>(v)] = network_.value(v);
+  for (std::size_t i = 0; i < residual.variables.size(); ++i)
+    assignment_[static_cast<std::size_t>(residual.variables[i].variable)] = residual.variables[i].labels[static_cast<std::size_t>(best->labels[i])];
+  limit_ = network_.rounded_limit(accept_(assignment_, best->cost));
+  return true;
+}
+
 /// A little at first; more once the search is a long one, or has nothing.
 void Search::polish() {
   constexpr std::uint64_t kFewSweeps = 100, kManySweeps = 500, kSweepsANode = 2, kLongSearch = 256;
@@ -118,7 +140,7 @@ void Search::burst(const Open& open) {
         alive = false;
       } else if (rounding_) {
         round();
-        alive = network_.bound() < limit_;
+        alive = network_.bound() < limit_ && !finish();
       }
     }
     if (alive && stopped()) {  // this node is open still

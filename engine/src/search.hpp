@@ -54,6 +54,8 @@ class Search {
   void search_in_order() { in_order_ = true; }
   /// From time to time, and in proportion to the work done, run() asks this for a better assignment.
   void polish_with(Polish polish) { polish_ = std::move(polish); }
+  /// run() finishes nodes without branches where small tables do, unless this is false.
+  void eliminate(bool on) { eliminates_ = on; }
   /// Depth first in one go, each branch told to `log`, which the network has too.
   void log_to(ProofLog& log) { log_ = &log; }
   /// Least cost assignment below `limit` under `assumptions`.
@@ -84,6 +86,7 @@ class Search {
   bool leaf(Cost& cost);
   void round();
   void polish();
+  bool finish();
   Decision first_in_order() const;
   int branching_variable() const;
   Cost clearance(int v) const;
@@ -110,6 +113,7 @@ class Search {
   int last_failed_ = -1;
   ProofLog* log_ = nullptr;
   bool in_order_ = false;
+  bool eliminates_ = true;
   bool rounding_ = false;
 };
 

@@ -136,6 +136,7 @@ SearchResult Solver::Implementation::solve(Component& component, const std::vect
     search.prefer(known);
   else if (!component.best.empty())
     search.prefer(component.best);
+  search.eliminate(options.elimination);
   if (component.whole && options.bound != Bound::paper)
     search.polish_with([&](Cost of, std::uint64_t sweeps) { return polished(component, decisions, of, sweeps, budget); });
   const bool splits = !decisions.empty() && !decisions.back().equal;

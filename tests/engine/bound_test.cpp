@@ -78,5 +78,41 @@ TEST(Incumbent, OfPlanesWithoutATruthIsFoundWhereDescentAndDivingEndInClashes) {
   EXPECT_EQ(later.assignment, Solver(problem, {.limits = {.nodes = 20}}).solve().assignment);
 }
 
+/// A chain of variables in which each pair of neighbours clashes here and there, and some must be supported farther on.
+Problem chain(std::uint64_t seed) {
+  Random random(seed);
+  Problem problem;
+  for (int v = 0; v < 40; ++v) {
+    std::vector<double> costs;
+    for (int l = 0; l < 4; ++l) costs.push_back(random.real());
+    problem.add_variable("v" + std::to_string(v), {"a", "b", "c", "d"}, costs);
+  }
+  for (int v = 1; v < 40; ++v) {
+    std::vector<double> costs;
+    for (int i = 0; i < 16; ++i) costs.push_back(2 * random.real());
+    problem.add("next", 1, -1, PairTable{v - 1, v, problem.add_table(4, 4, costs)});
+    if (v % 8 == 0) problem.add("needs", 1.5, -1, Requirement{{v, 0}, {{{v - 2, 1}, 0}, {{v - 3, 2}, 0.3}}});
+    if (v % 10 == 0) problem.add("few", 0.7, -1, Cardinality{{}, {{v, 1}, {v - 1, 1}, {v - 2, 1}}, 1, 1});
+  }
+  return problem;
+}
+
+TEST(Elimination, FinishesWhatHangsTogetherLooselyWithoutBranches) {
+  std::uint64_t with = 0, without = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Problem problem = chain(seed);
+    const Solution a = Solver(problem).solve();
+    const Solution b = Solver(problem, {.elimination = false}).solve();
+    ASSERT_EQ(a.outcome, Outcome::proved);
+    ASSERT_EQ(b.outcome, Outcome::proved);
+    EXPECT_NEAR(a.cost, b.cost, 1e-9);
+    with += a.nodes;
+    without += b.nodes;
+  }
+  EXPECT_EQ(with, 0u);
+  EXPECT_GT(without, 0u);
+}
+
 }  // namespace
 }  // namespace scenelore::engine

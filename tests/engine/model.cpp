@@ -48,8 +48,9 @@ class Model {
   }
 
   std::string optimum() const {
-    for (const Bound bound : {Bound::soft_consistency, Bound::paper}) {
-      const Solution solution = Solver(problem_, {.bound = bound}).solve();
+    const SolverOptions usual, plain{.bound = Bound::paper}, branching{.elimination = false};
+    for (const SolverOptions& options : {usual, plain, branching}) {
+      const Solution solution = Solver(problem_, options).solve();
       if (solution.outcome != (worlds_.empty() ? Outcome::infeasible : Outcome::proved))
         return std::string("solve: the outcome is ") + to_string(solution.outcome);
       if (!same(solution.cost, least())) return "solve: the cost is wrong";
@@ -80,7 +81,7 @@ class Model {
 
   std::string literals() const {
     std::string fault;
-    Solver solver(problem_);
+    Solver solver(problem_, {.elimination = problem_.constraints().size() % 2 == 0});
     solver.solve();
     const MinMarginals marginals = solver.min_marginals();
     if (!marginals.exact) return "min_marginals: not exact";

@@ -40,6 +40,8 @@ struct SolverOptions {
   Bound bound = Bound::soft_consistency;
   Limits limits;
   Observer* observer = nullptr;
+  /// Nodes whose open variables hang together loosely are finished by dynamic programming. False: by branches, like others.
+  bool elimination = true;
 };
 
 /// What is assumed on top of the problem for one solve.
