@@ -1,8 +1,11 @@
 // A relation is asked again only when something it depends on has changed; until then its rows are the answer.
 #include "fact_store.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -10,7 +13,6 @@
 #include <string>
 
 #include "implementation.hpp"
-#include "scenelore/kb/sha256.hpp"
 
 namespace scenelore::kb {
 
@@ -20,29 +22,56 @@ using Facts = std::span<const RelationFact>;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-std::string digest(Facts facts) {
-  std::string bytes;
-  bytes.reserve(facts.size() * 24);
-  const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  for (const RelationFact& fact : facts) {
-    put(fact.a);
-    put(fact.b);
-    put(fact.degree);
-  }
-  return sha256_of(bytes);
+/// The column `facts` of relation_asked.
+struct PackedFact {
+  PlaneId a, b;
+  double degree;
+};
+static_assert(sizeof(PackedFact) == 24);
+
+std::vector<PackedFact> packed(Facts facts) {
+  std::vector<PackedFact> out;
+  out.reserve(facts.size());
+  for (const RelationFact& fact : facts) out.push_back({fact.a, fact.b, fact.degree});
+  return out;
 }
 
+std::vector<RelationFact> unpacked(const std::string& relation, std::span<const std::byte> bytes) {
+  std::vector<RelationFact> out;
+  out.reserve(bytes.size() / sizeof(PackedFact));
+  for (; bytes.size() >= sizeof(PackedFact); bytes = bytes.subspan(sizeof(PackedFact))) {
+    PackedFact fact{};
+    std::memcpy(&fact, bytes.data(), sizeof fact);
+    out.push_back({relation, fact.a, fact.b, fact.degree});
+  }
+  return out;
+}
+
+/// What is known of each relation of the scan that was asked; `stored` where nobody has changed its rows since.
 std::map<std::string, RelationAsked> read_asked(const Database& database, ScanId scan) {
   Statement select = database.prepare(
-      "SELECT relation, asked, held, within, within_plan, inputs_sha256, facts_sha256, features FROM relation_asked WHERE scan_id = ?");
+      "SELECT relation, asked, held, within, within_plan, inputs_sha256, facts IS NOT NULL, features FROM relation_asked WHERE scan_id = ?");
   std::map<std::string, RelationAsked> out;
   auto row = select.use();
   for (row(scan); row.next();) {
     out[row.text(0)] = {row.integer(1), row.integer(2), row.optional_real(3).value_or(kNoLimit),
-                        row.optional_real(4).value_or(kNoLimit), row.text(5), row.text(6), row.text(7)};
+                        row.optional_real(4).value_or(kNoLimit), row.text(5), row.integer(6) != 0, row.text(7)};
   }
   return out;
 }
+
+/// While it lives, this connection's own writing fires no triggers.
+class NoTriggers {
+ public:
+  explicit NoTriggers(Database& database) : database_(database) { enable(0); }
+  NoTriggers(const NoTriggers&) = delete;
+  NoTriggers& operator=(const NoTriggers&) = delete;
+  ~NoTriggers() { enable(1); }
+
+ private:
+  void enable(int on) const { sqlite3_db_config(database_.handle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, on, nullptr); }
+  Database& database_;
+};
 
 struct StoredFact {
   std::int64_t id = 0;
@@ -140,8 +169,9 @@ std::map<std::string, std::vector<RelationFact>> by_relation(const std::vector<R
 
 std::optional<double> limit(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-bool same(const RelationAsked& a, const RelationAsked& b) {
-  return a.inputs_sha256 == b.inputs_sha256 && a.facts_sha256 == b.facts_sha256;
+/// Whether what is stored is what was handed out and taken over.
+bool same(const RelationAsked& before, const RelationAsked& now) {
+  return before.stored && now.stored && before.inputs_sha256 == now.inputs_sha256;
 }
 
 }  // namespace
@@ -155,6 +185,7 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
   const bool all = std::all_of(before.begin(), before.end(), [&](const auto& row) { return kept(row.first); });
   if (all && before.size() == inference.asked.size() && !before.empty()) return;
 
+  const NoTriggers own_writing(database);
   std::map<std::string, std::vector<RelationFact>> wanted;  // of the relations that were asked anew
   std::vector<RelationFact> anew;
   std::copy_if(inference.facts.begin(), inference.facts.end(), std::back_inserter(anew), [&](const RelationFact& f) { return !kept(f.relation); });
@@ -170,12 +201,13 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
     if (!kept(relation)) forget.use()(scan)(relation).run();
   }
   Statement note = database.prepare(
-      "INSERT INTO relation_asked (scan_id, relation, asked, held, within, within_plan, inputs_sha256, facts_sha256, features) "
+      "INSERT INTO relation_asked (scan_id, relation, asked, held, within, within_plan, inputs_sha256, facts, features) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [relation, asked] : inference.asked) {
     if (kept(relation)) continue;
+    const std::vector<PackedFact> facts = packed(wanted[relation]);
     note.use()(scan)(relation)(asked.asked)(asked.held)(limit(asked.within))(limit(asked.within_plan))(asked.inputs_sha256)(
-        digest(wanted[relation]))(asked.features).run();
+        std::as_bytes(std::span(facts)))(asked.features).run();
   }
 }
 
@@ -238,12 +270,14 @@ StoredGeometry KnowledgeBase::pair_geometry(ScanId scan) const {
 std::map<std::string, StoredFacts> KnowledgeBase::facts(ScanId scan) const {
   const Database& database = implementation_->database;
   std::map<std::string, StoredFacts> out;
-  FactReader reader(database);
   for (auto& [relation, asked] : read_asked(database, scan)) {
-    StoredFacts stored{asked, {}};
-    stored.facts.reserve(static_cast<std::size_t>(asked.held));
-    for (const StoredFact& row : reader.read(scan, relation, asked.held)) stored.facts.push_back({relation, row.a, row.b, row.degree});
-    if (digest(stored.facts) == asked.facts_sha256) out.emplace(relation, std::move(stored));
+    if (asked.stored) out[relation].asked = std::move(asked);
+  }
+  Statement select = database.prepare("SELECT relation, facts FROM relation_asked WHERE scan_id = ? AND facts IS NOT NULL");
+  auto row = select.use();
+  for (row(scan); row.next();) {
+    const std::string relation = row.text(0);
+    out[relation].facts = unpacked(relation, row.blob(1));
   }
   return out;
 }

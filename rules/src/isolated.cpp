@@ -39,7 +39,7 @@ void write_answers(Writer& out, const RuleAnswers& answers) {
     out.number(asked.within);
     out.number(asked.within_plan);
     out.text(asked.inputs_sha256);
-    out.text(asked.facts_sha256);
+    out.number(asked.stored);
     out.text(asked.features);
   }
   out.number(answers.facts.constraints.size());
@@ -95,7 +95,7 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
     asked.within = in.number<double>();
     asked.within_plan = in.number<double>();
     asked.inputs_sha256 = in.text();
-    asked.facts_sha256 = in.text();
+    asked.stored = in.number<bool>();
     asked.features = in.text();
     out.facts.reach[relation] = {asked.within, asked.within_plan};
   }

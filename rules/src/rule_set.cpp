@@ -373,7 +373,7 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       result.asked = {.asked = out.counts.back().asked, .held = out.counts.back().held, .within = info.within,
                       .within_plan = info.within_plan, .features = file.features_read()};
     }
-    result.asked.facts_sha256.clear();
+    result.asked.stored = false;
     result.asked.inputs_sha256 = implementation_->inputs(name, digest, result.asked.features);
     sort_by_planes(result.facts);
     return result;

@@ -26,7 +26,7 @@ struct RelationAsked {
   double within = std::numeric_limits<double>::infinity();       ///< metres between boxes: pairs further apart are not asked
   double within_plan = std::numeric_limits<double>::infinity();  ///< the same seen from above
   std::string inputs_sha256;         ///< names all that the facts depend on: the same again gives the same facts
-  std::string facts_sha256;          ///< of the rows, when the facts come from the knowledge base; else empty
+  bool stored = false;               ///< the facts come from the knowledge base, which holds them
   std::string features;              ///< of the catalogue that the rule looked at: names, one a line
 };
 
