@@ -115,12 +115,12 @@ bool Search::finish() {
 
 /// A little at first; more once the search is a long one, or has nothing.
 void Search::polish() {
-  constexpr std::uint64_t kFewSweeps = 100, kManySweeps = 500, kSweepsANode = 2, kLongSearch = 256;
+  constexpr std::uint64_t kFewSweeps = 100, kManySweeps = 500, kSweepsANode = 2, kAfterNone = 4, kLongSearch = 256;
   const std::uint64_t nodes = budget_.nodes - nodes_before_;
-  const bool thorough = nodes >= (is_forbidden(limit_) ? 1 : kLongSearch);
+  const bool had_none = is_forbidden(limit_), thorough = nodes >= kAfterNone;
   const auto better = polish_(limit_, thorough ? std::max(kManySweeps, kSweepsANode * nodes) : kFewSweeps);
   if (better) limit_ = network_.rounded_limit(accept_(*better, network_.evaluate(*better)));
-  next_polish_ = std::max(is_forbidden(limit_) ? 4 : kLongSearch, 2 * nodes);
+  next_polish_ = std::max(had_none ? kAfterNone : kLongSearch, 2 * nodes);
 }
 
 void Search::burst(const Open& open) {
