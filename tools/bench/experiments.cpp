@@ -1,6 +1,6 @@
 // The experiments of Goldhoorn & Hartanto (2014) again, and beyond, as one report. Usage: experiments FOLDER [SETS [FIRST_SEED [REAL]]]
 // Writes FOLDER/README.md and FOLDER/table1.html. SETS of six rooms are made for each condition, from FIRST_SEED on; REAL is a folder
-// of labelled scans. Nothing is learned here, and nothing may be chosen by looking at the seeds from 9101 on.
+// of labelled scans. Nothing is learned here, and nothing may be chosen by looking at the seeds from 9401 on.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Lab {
   rules::RuleSet rules = rules::RuleSet::load();
   kb::Knowledge paper = experiment::knowledge_pack("paper"), office = experiment::knowledge_pack("office");
   int sets = 2;
-  std::uint64_t first_seed = 9101;
+  std::uint64_t first_seed = 9501;
   std::string report;
 
   /// Of both packs.
@@ -311,7 +311,7 @@ void real_scans(Lab& lab, const fs::path& folder) {
   }
   lab.report += title_of("Real scans");
   lab.write("Labelled scans of the development collection ({}); points without a label are not judged, a chair counts as found when any part of it is. "
-            "Segmentation and two settings were chosen with an eye on these scans, no density was learned from them.\n\n```text\n{}```\n",
+            "Segmentation, two settings, the feature behind and two rows about walls were chosen with an eye on these scans, no density was learned from them.\n\n```text\n{}```\n",
             names, to_text(sum, {.title = "real scans", .classes = {}}));
 }
 
@@ -329,7 +329,7 @@ int main(int argc, char** argv) {
   if (argc > 3) lab.first_seed = std::strtoull(argv[3], nullptr, 10);
   lab.write("# Experiments\n\nWritten by `make experiments` (tools/bench/experiments.cpp): {} sets of six paper-like rooms a condition, seeds {} to {}.\n"
             "Split: densities, priors and weights are learned from the rooms and frames that the head of schemas/knowledge/office_learned.sql names; "
-            "perception and the recipe of learning were chosen on seeds below 9010; seeds from 9101 on serve reports alone.\n"
+            "perception and the recipe of learning were chosen on seeds below 9400; seeds from 9401 on serve reports alone.\n"
             "More sets: `build/bench/bin/experiments FOLDER SETS FIRST_SEED REAL`; ten sets take about five times as long as two.\n",
             lab.sets, lab.first_seed, lab.first_seed + static_cast<std::uint64_t>(lab.sets) - 1);
   std::vector<std::vector<Situation>> rooms;
