@@ -152,6 +152,12 @@ TEST(KnowledgeBase, HandsOutFactsUntilSomebodyChangesThem) {
   Database(folder / "office.gpkg", OpenMode::read_write).execute("UPDATE relation_fact SET degree = 0.9 WHERE a = 1");
   EXPECT_FALSE(base.facts(scan).contains("near"));
   EXPECT_TRUE(base.facts(scan).contains("above"));
+  Database(folder / "office.gpkg", OpenMode::read_write).execute("DELETE FROM relation_fact WHERE relation = 'above'");
+  EXPECT_FALSE(base.facts(scan).contains("above"));
+  EXPECT_TRUE(base.facts(scan).contains("never"));
+  Database(folder / "office.gpkg", OpenMode::read_write)
+      .execute("INSERT INTO relation_fact (scan_id, relation, a, b, degree) SELECT id, 'never', 1, 2, 0.5 FROM scan");
+  EXPECT_TRUE(base.facts(scan).empty());
 }
 
 TEST(KnowledgeBase, WritesOfARelationOnlyTheFactsThatDiffer) {
