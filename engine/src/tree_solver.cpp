@@ -112,41 +112,40 @@ class TreeSolver {
     }
   }
 
+  /// Writes a function out: `cost_of` gets a way to ask for the label of a variable of the scope. False: too large.
+  bool tabulate(const std::vector<int>& scope, const auto& cost_of) {
+    if (size(scope) > most_) return false;
+    CostTable table{scope, {}};
+    for_each(scope, [&](const std::vector<int>& tuple) {
+      table.costs.push_back(cost_of([&](int v) {
+        return tuple[index(static_cast<int>(std::lower_bound(scope.begin(), scope.end(), v) - scope.begin()))];
+      }));
+    });
+    tables_.push_back(std::move(table));
+    return true;
+  }
+
   bool add_functions() {
     for (const auto& pair : residual_.pairs) tables_.push_back({{pair.x, pair.y}, pair.costs});
     for (const auto& need : residual_.needs) {
-      const auto scope = scope_of(need);
-      if (size(scope) > most_) return false;
-      CostTable table{scope, {}};
-      const auto label_in = [&](const std::vector<int>& tuple, int v) {
-        return tuple[index(static_cast<int>(std::lower_bound(scope.begin(), scope.end(), v) - scope.begin()))];
+      const auto cost_of = [&](const auto& label) {
+        if (label(need.x) != need.label) return Cost{0};
+        Cost cost = need.weight;
+        for (const auto& support : need.supports)
+          if (label(support.variable) == support.label) cost = std::min(cost, support.cost);
+        return cost;
       };
-      for_each(scope, [&](const std::vector<int>& tuple) {
-        Cost cost = 0;
-        if (label_in(tuple, need.x) == need.label) {
-          cost = need.weight;
-          for (const auto& support : need.supports)
-            if (label_in(tuple, support.variable) == support.label) cost = std::min(cost, support.cost);
-        }
-        table.costs.push_back(cost);
-      });
-      tables_.push_back(std::move(table));
+      if (!tabulate(scope_of(need), cost_of)) return false;
     }
     for (const auto& of : residual_.counts) {
-      const auto scope = scope_of(of);
-      if (size(scope) > most_) return false;
-      CostTable table{scope, {}};
-      const auto label_in = [&](const std::vector<int>& tuple, int v) {
-        return tuple[index(static_cast<int>(std::lower_bound(scope.begin(), scope.end(), v) - scope.begin()))];
-      };
-      for_each(scope, [&](const std::vector<int>& tuple) {
+      const auto cost_of = [&](const auto& label) {
         int held = 0;
-        for (const auto& [v, counts] : of.members) held += counts[index(label_in(tuple, v))];
+        for (const auto& [v, counts] : of.members) held += counts[index(label(v))];
         const int off = std::max({0, of.low - held, held - of.high});
-        const bool counts = off > 0 && (of.x < 0 || label_in(tuple, of.x) == of.label);
-        table.costs.push_back(!counts ? 0 : is_forbidden(of.weight) ? kTop : of.weight * off);
-      });
-      tables_.push_back(std::move(table));
+        if (off == 0 || (of.x >= 0 && label(of.x) != of.label)) return Cost{0};
+        return is_forbidden(of.weight) ? kTop : of.weight * off;
+      };
+      if (!tabulate(scope_of(of), cost_of)) return false;
     }
     return true;
   }
