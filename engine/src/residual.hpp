@@ -2,6 +2,7 @@
 // two or more of them, with the original costs.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ struct Residual {
     int low, high;
     Cost weight;
     std::vector<std::pair<int, std::vector<char>>> members;  ///< variable, counts for each label
+    /// What it costs when so many are held.
+    Cost violation(int held) const {
+      const int off = std::max({0, low - held, held - high});
+      return off == 0 ? 0 : is_forbidden(weight) ? kTop : weight * off;
+    }
   };
 
   Cost constant = 0;  ///< what is decided already

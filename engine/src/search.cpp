@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "dominance.hpp"
 #include "proof_log.hpp"
 #include "tree_solver.hpp"
 
@@ -13,16 +14,40 @@ SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
   SearchResult result;
   result.cost = limit;
   rounding_ = true;
-  result.complete = enumerate(assumptions, limit, [&](const std::vector<int>& assignment, Cost cost) {
+  const auto accept = [&](const std::vector<int>& assignment, Cost cost) {
     result.cost = cost;
     result.assignment = assignment;
     preferred_ = assignment;
     if (report_.observer != nullptr) report_.observer->improved(report_.real(cost));
     return cost;
-  });
+  };
+  const int base = network_.level();
+  result.complete = enumerate(assumptions, limit, accept);
+  while (network_.level() > base) network_.pop();
   result.lower_bound = result.cost;
   if (!result.complete && !open_.empty()) result.lower_bound = std::min(result.cost, open_.top().bound);
   return result;
+}
+
+/// Makes the root smaller, once the search is a long one. False: no assignment is cheaper than the limit.
+bool Search::strike_dominated() {
+  constexpr std::uint64_t kLongSearch = 16;
+  constexpr int kMostRounds = 8;
+  constexpr std::int64_t kMostWork = 10'000'000;
+  if (!dominates_ || budget_.nodes - nodes_before_ < kLongSearch) return true;
+  dominates_ = false;
+  network_.push();
+  network_.set_limit(limit_);
+  network_.set_budget(&budget_);
+  bool alive = true;
+  for (int round = 0; round < kMostRounds && alive; ++round) {
+    const auto dominated = dominated_labels(network_.residual(), kMostWork);
+    if (dominated.empty()) break;
+    for (const auto& [v, label] : dominated) alive = alive && network_.remove(v, label);
+    alive = alive && network_.strengthen();
+  }
+  network_.set_budget(nullptr);
+  return alive;
 }
 
 bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, const Accept& accept) {
@@ -40,6 +65,7 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   while (!open_.empty() && open_.top().bound < limit_) {
     if (stopped()) return false;
     if (rounding_ && polish_ && budget_.nodes - nodes_before_ >= next_polish_) polish();
+    if (!strike_dominated()) return true;
     const Open next = open_.top();
     open_.pop();
     if (report_.observer != nullptr && next.bound > reported) {

@@ -137,6 +137,7 @@ SearchResult Solver::Implementation::solve(Component& component, const std::vect
   else if (!component.best.empty())
     search.prefer(component.best);
   search.eliminate(options.elimination);
+  search.dominate(options.dominance && options.bound != Bound::paper && decisions.empty());
   if (component.whole && options.bound != Bound::paper)
     search.polish_with([&](Cost of, std::uint64_t sweeps) { return polished(component, decisions, of, sweeps, budget); });
   const bool splits = !decisions.empty() && !decisions.back().equal;

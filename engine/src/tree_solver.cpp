@@ -141,9 +141,7 @@ class TreeSolver {
       const auto cost_of = [&](const auto& label) {
         int held = 0;
         for (const auto& [v, counts] : of.members) held += counts[index(label(v))];
-        const int off = std::max({0, of.low - held, held - of.high});
-        if (off == 0 || (of.x >= 0 && label(of.x) != of.label)) return Cost{0};
-        return is_forbidden(of.weight) ? kTop : of.weight * off;
+        return of.x >= 0 && label(of.x) != of.label ? 0 : of.violation(held);
       };
       if (!tabulate(scope_of(of), cost_of)) return false;
     }

@@ -48,8 +48,9 @@ class Model {
   }
 
   std::string optimum() const {
-    const SolverOptions usual, plain{.bound = Bound::paper}, branching{.elimination = false};
-    for (const SolverOptions& options : {usual, plain, branching}) {
+    const SolverOptions usual, plain{.bound = Bound::paper}, branching{.elimination = false, .dominance = false};
+    const SolverOptions dominating{.elimination = false};
+    for (const SolverOptions& options : {usual, plain, branching, dominating}) {
       const Solution solution = Solver(problem_, options).solve();
       if (solution.outcome != (worlds_.empty() ? Outcome::infeasible : Outcome::proved))
         return std::string("solve: the outcome is ") + to_string(solution.outcome);
