@@ -163,7 +163,7 @@ FoundRegions Finder::run() {
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
   join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
   begin("outlines");
-  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, regions); });
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), regions); });
   begin("promises");
   separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_);
   begin("all points");

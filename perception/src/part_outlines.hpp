@@ -5,7 +5,8 @@
 
 namespace scenelore::perception {
 
-/// Cuts each plane of 0.5 to 4 m² whose outline is that of two well filled rectangles into two planes.
-void part_outlines(const Cloud& cloud, Regions& regions);
+/// Cuts planes of 0.5 to 4 m² into those of rectangles: level planes by what the sensor saw past them, where its position is
+/// known, and all others by outlines that two well filled rectangles explain. `up` is a unit vector.
+void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regions);
 
 }  // namespace scenelore::perception
