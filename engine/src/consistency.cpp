@@ -358,7 +358,8 @@ bool Network::is_met(Place place) {
 }
 
 /// Unless some assignment meets the bound already: at the root, which is worth the time, all that there is. Below it costs are
-/// spread already: pushing them to and fro would undo that, and two passes of diffusion go on from there.
+/// spread already: pushing them to and fro would undo that, and two passes of diffusion go on from there, or many
+/// at a root that is looked at again.
 bool Network::strengthen(Place place) {
   const bool diffuses = shifting_ && !(binary_.empty() && requirements_.empty());
   const bool root = place == Place::root;
@@ -368,7 +369,7 @@ bool Network::strengthen(Place place) {
   if (pushing_ && !turn_to_and_fro(root ? 8 : 1, root ? 2 : 1)) return false;
   if (!diffuses) return true;
   pushing_ = false;
-  return root ? diffuse(60, 1024, 3) : diffuse(2, 4, 2);
+  return root || place == Place::root_again ? diffuse(60, 1024, 3) : diffuse(2, 4, 2);
 }
 
 }  // namespace scenelore::engine

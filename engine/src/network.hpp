@@ -162,7 +162,7 @@ class Network {
   bool remove(int v, int label);
   /// To a fixed point. False: no assignment of live labels is cheaper than the limit.
   bool propagate();
-  enum class Place { root, entered, branch };
+  enum class Place { root, root_again, entered, branch };
   /// propagate(), and then what pays at that place of the search to raise the bound further.
   bool strengthen(Place place = Place::root);
   /// After a failure: the constraint that did it, −1 = the bound; and the variable that ran out of labels, −1.

@@ -29,22 +29,23 @@ SearchResult Search::run(const std::vector<Decision>& assumptions, Cost limit) {
   return result;
 }
 
-/// Makes the root smaller, once the search is a long one. False: no assignment is cheaper than the limit.
-bool Search::strike_dominated() {
+/// Once the search is a long one, the incumbent is better than it was when the root was made: costs diffuse there again, and
+/// dominated labels go. False: no assignment is cheaper than the limit.
+bool Search::tighten_root() {
   constexpr std::uint64_t kLongSearch = 16;
   constexpr int kMostRounds = 8;
   constexpr std::int64_t kMostWork = 10'000'000;
-  if (!dominates_ || budget_.nodes - nodes_before_ < kLongSearch) return true;
-  dominates_ = false;
+  if (tightened_ || !rounding_ || !network_.shifts() || budget_.nodes - nodes_before_ < kLongSearch) return true;
+  tightened_ = true;
   network_.push();
   network_.set_limit(limit_);
   network_.set_budget(&budget_);
-  bool alive = true;
-  for (int round = 0; round < kMostRounds && alive; ++round) {
+  bool alive = network_.strengthen(Network::Place::root_again);
+  for (int round = 0; round < kMostRounds && dominates_ && alive; ++round) {
     const auto dominated = dominated_labels(network_.residual(), kMostWork);
     if (dominated.empty()) break;
     for (const auto& [v, label] : dominated) alive = alive && network_.remove(v, label);
-    alive = alive && network_.strengthen();
+    alive = alive && network_.strengthen(Network::Place::root_again);
   }
   network_.set_budget(nullptr);
   return alive;
@@ -61,11 +62,12 @@ bool Search::enumerate(const std::vector<Decision>& assumptions, Cost limit, con
   open_.push({network_.bound(), number_++, assumptions});
   nodes_before_ = budget_.nodes;
   next_polish_ = is_forbidden(limit) ? 0 : 1;
+  tightened_ = false;
   Cost reported = 0;
   while (!open_.empty() && open_.top().bound < limit_) {
     if (stopped()) return false;
     if (rounding_ && polish_ && budget_.nodes - nodes_before_ >= next_polish_) polish();
-    if (!strike_dominated()) return true;
+    if (!tighten_root()) return true;
     const Open next = open_.top();
     open_.pop();
     if (report_.observer != nullptr && next.bound > reported) {

@@ -56,7 +56,7 @@ class Search {
   void polish_with(Polish polish) { polish_ = std::move(polish); }
   /// run() finishes nodes without branches where small tables do, unless this is false.
   void eliminate(bool on) { eliminates_ = on; }
-  /// A long run() goes on without labels that are in no assignment of least cost. There must be no assumptions.
+  /// A long run() strikes labels at the root that are in no assignment of least cost. There must be no assumptions.
   void dominate(bool on) { dominates_ = on; }
   /// Depth first in one go, each branch told to `log`, which the network has too.
   void log_to(ProofLog& log) { log_ = &log; }
@@ -82,7 +82,7 @@ class Search {
   };
 
   bool stopped();
-  bool strike_dominated();
+  bool tighten_root();
   void burst(const Open& open);
   bool enter(const std::vector<Decision>& path);
   bool apply(const Decision& decision);
@@ -118,6 +118,7 @@ class Search {
   bool in_order_ = false;
   bool eliminates_ = true;
   bool dominates_ = false;
+  bool tightened_ = false;
   bool rounding_ = false;
 };
 
