@@ -124,4 +124,19 @@ int Problem::add(std::string name, double weight, std::int64_t reference,
   return static_cast<int>(constraints_.size()) - 1;
 }
 
+int Problem::add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict) {
+  const auto exists = [&](const Literal& l) {
+    return l.variable >= 0 && l.variable < static_cast<int>(variables_.size()) && l.label >= 0 &&
+           l.label < static_cast<int>(variables_[static_cast<std::size_t>(l.variable)].labels.size());
+  };
+  if (!(weight > 0 && exists(conflict.a) && exists(conflict.b))) {
+    const Inspector inspector(*this, name);
+    inspector.weight(weight);
+    inspector.body(conflict, weight);
+  }
+  ++revision_;
+  constraints_.emplace_back(name, weight, reference, conflict);
+  return static_cast<int>(constraints_.size()) - 1;
+}
+
 }  // namespace scenelore::engine

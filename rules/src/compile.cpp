@@ -1,117 +1,23 @@
 // From rows to constraints; docs/rules.md, "What a row means", is the specification.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <tuple>
 
-#include "conjunctions.hpp"
-#include "fact_index.hpp"
+#include "compiler.hpp"
 #include "names.hpp"
-#include "pair_geometry.hpp"
 #include "scenelore/rules/error.hpp"
-#include "scenelore/rules/labelling.hpp"
 #include "suggestion.hpp"
 
 namespace scenelore::rules {
 
-namespace {
-
 using engine::Literal;
 using kb::Quantifier;
 
+namespace {
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-class Compiler {
- public:
-  Compiler(const kb::Knowledge& knowledge, const Scene& scene, const std::vector<std::vector<double>>& evidence,
-           const Facts& facts, HardRows hard_rows)
-      : strict_(hard_rows == HardRows::strict), knowledge_(knowledge), scene_(scene), evidence_(evidence), facts_(facts), index_(scene, facts),
-        hold_(hold_degree(knowledge)), fallback_(knowledge.fallback_index()), fixed_(scene.planes.size(), -1) {
-    check_evidence();
-  }
-
-  void fix(const std::vector<std::pair<kb::PlaneId, std::string>>& truth) {
-    for (const auto& [plane, name] : truth) {
-      const auto found = std::find(scene_.ids.begin(), scene_.ids.end(), plane);
-      const std::string who = "truth of plane " + std::to_string(plane);
-      if (found == scene_.ids.end()) throw Error(who + ": that plane is not in this scan");
-      fixed_[static_cast<std::size_t>(found - scene_.ids.begin())] = require_class(knowledge_, name, who);
-    }
-  }
-
-  void choose_floor();
-  void add_variables();
-  void make_room();
-  void add_row(int row);
-
-  LabellingProblem out;
-
- private:
-  void check_evidence() const;
-  void add(int row, int a, int b, double weight, std::variant<engine::Conflict, engine::Requirement,
-           engine::Cardinality, engine::PairTable> body) {
-    out.problem.add(short_name_, weight, rows(row).id, std::move(body));
-    out.origins.push_back({.row = row, .a = a, .b = b});
-  }
-  [[nodiscard]] const kb::ClassConstraint& rows(int row) const { return knowledge_.constraints[at(row)]; }
-  [[nodiscard]] int planes() const { return static_cast<int>(scene_.planes.size()); }
-
-  /// Label of a class at a plane, −1 when truth rules it out.
-  [[nodiscard]] int label(int plane, int object_class) const {
-    return out.label_of_class[at(out.variable_of_plane[at(plane)])][at(object_class)];
-  }
-  [[nodiscard]] Literal literal(int plane, int object_class) const {
-    return {out.variable_of_plane[at(plane)], label(plane, object_class)};
-  }
-  /// The literals by which a plane is an `other` of the row: of one class, or (−1) of any but the fallback.
-  template <typename Visit>
-  void for_each_other(int plane, int other, Visit visit) const {
-    for (int c = other < 0 ? 0 : other; c < (other < 0 ? static_cast<int>(knowledge_.classes.size()) : other + 1); ++c) {
-      if (other < 0 && c == fallback_) continue;
-      if (label(plane, c) >= 0) visit(literal(plane, c));
-    }
-  }
-  /// What a hard row costs where plane `a` is what it is for certain.
-  [[nodiscard]] double hard_weight(int a) const {
-    return !strict_ && a >= 0 && fixed_[at(a)] >= 0 ? kBrokenRow : engine::kHard;
-  }
-
-  /// Planes b in the row's relation to a, with degrees; without a relation all others, fully.
-  [[nodiscard]] std::vector<FactIndex::Held> held(const kb::ClassConstraint& row, int a) const;
-  void add_some(int row, int subject, int other);
-  void add_pairs(int row, int subject, int other);
-  void add_pair(int row, int subject, int other, int a, int b, double forth, double back);
-  void add_count(int row, int subject, int other);
-  void add_scene_count(int row, int subject);
-  void add_tuples(int row, const TupleConstraint& constraint);
-  std::optional<std::vector<Literal>> members_of(int row, const std::vector<int>& classes, const TupleConstraint::Tuple& tuple);
-  void add_tuple(int row, int a, const std::vector<Literal>& members, double cost);
-  void add_some_tuple(int row, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples);
-  Literal conjunction(std::vector<Literal> members);
-  const std::vector<std::pair<int, int>>& in_reach_of(const Reach& reach);
-  [[nodiscard]] Reach reach_of(const std::string& relation) const {
-    const auto found = facts_.reach.find(relation);
-    return found == facts_.reach.end() ? Reach{} : found->second;
-  }
-  [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
-  int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
-
-  bool strict_;
-  std::string short_name_;  // of the row at work: so short that each of its thousand constraints holds it without a block of its own
-  const kb::Knowledge& knowledge_;
-  const Scene& scene_;
-  const std::vector<std::vector<double>>& evidence_;
-  const Facts& facts_;
-  FactIndex index_;
-  double hold_;
-  int fallback_;
-  std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
-  std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs_;  // by reach, made when a row needs them
-  std::map<std::tuple<int, int, int, int>, int> tables_;
-  std::map<kb::PlaneId, int> index_of_id_;                 // made when a Lua constraint needs it
-  std::map<std::vector<Literal>, int> conjunctions_;       // by members: their variable
-};
+}  // namespace
 
 void Compiler::check_evidence() const {
   if (scene_.ids.size() != scene_.planes.size() || evidence_.size() != scene_.planes.size()) {
@@ -126,6 +32,15 @@ void Compiler::check_evidence() const {
       throw Error("evidence of plane " + std::to_string(scene_.ids[i]) + ": one probability from 0 to 1 for each of the " +
                   std::to_string(knowledge_.classes.size()) + " classes is needed");
     }
+  }
+}
+
+void Compiler::fix(const std::vector<std::pair<kb::PlaneId, std::string>>& truth) {
+  for (const auto& [plane, name] : truth) {
+    const auto found = std::find(scene_.ids.begin(), scene_.ids.end(), plane);
+    const std::string who = "truth of plane " + std::to_string(plane);
+    if (found == scene_.ids.end()) throw Error(who + ": that plane is not in this scan");
+    fixed_[static_cast<std::size_t>(found - scene_.ids.begin())] = require_class(knowledge_, name, who);
   }
 }
 
@@ -176,111 +91,6 @@ void Compiler::add_variables() {
   }
 }
 
-/// The literals behind the tuples of a Lua constraint. Nothing for one that truth rules out.
-std::optional<std::vector<Literal>> Compiler::members_of(int row, const std::vector<int>& classes, const TupleConstraint::Tuple& tuple) {
-  if (tuple.planes.size() != classes.size() || !(tuple.degree >= 0 && tuple.degree <= 1)) {
-    throw Error(row_name(rows(row)) + ": a tuple needs a degree from 0 to 1 and " + std::to_string(classes.size()) + " planes");
-  }
-  std::vector<Literal> members;
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    const auto found = index_of_id_.find(tuple.planes[i]);
-    if (found == index_of_id_.end()) throw Error(row_name(rows(row)) + ": there is no plane " + std::to_string(tuple.planes[i]));
-    if (label(found->second, classes[i]) < 0) return std::nullopt;
-    members.push_back(literal(found->second, classes[i]));
-  }
-  return members;
-}
-
-void Compiler::add_tuples(int index, const TupleConstraint& constraint) {
-  std::vector<int> classes;
-  for (const std::string& name : constraint.classes) classes.push_back(require_class(knowledge_, name, row_name(rows(index))));
-  if (std::find(classes.begin(), classes.end(), fallback_) != classes.end()) return;
-  if (index_of_id_.empty()) {
-    for (int i = 0; i < planes(); ++i) index_of_id_[scene_.ids[at(i)]] = i;
-  }
-  std::map<int, std::vector<std::pair<std::vector<Literal>, double>>> by_first;  // by plane; members and degree
-  for (const TupleConstraint::Tuple& tuple : constraint.tuples) {
-    if (auto members = members_of(index, classes, tuple)) {
-      by_first[index_of_id_.at(tuple.planes[0])].emplace_back(std::move(*members), tuple.degree);
-    }
-  }
-  if (constraint.quantifier == Quantifier::some) {
-    for (int a = 0; a < planes(); ++a) {
-      if (label(a, classes[0]) >= 0) add_some_tuple(index, literal(a, classes[0]), a, by_first[a]);
-    }
-    return;
-  }
-  for (const auto& [a, tuples] : by_first) {
-    for (const auto& [members, degree] : tuples) add_tuple(index, a, members, pair_cost(rows(index), a, degree));
-  }
-}
-
-/// If the first plane is what the constraint says, at most all but one of the others are: then the tuple does not hold.
-/// Exact for any number of planes, since the engine counts.
-void Compiler::add_tuple(int index, int a, const std::vector<Literal>& members, double cost) {
-  if (cost <= 0) return;
-  engine::Cardinality body{.condition = members[0], .literals = {members.begin() + 1, members.end()}};
-  body.high = static_cast<int>(body.literals.size()) - 1;
-  add(index, a, out.plane_of_variable[at(members[1].variable)], cost, std::move(body));
-  for (std::size_t i = 2; i < members.size(); ++i) {
-    out.origins.back().more.push_back(out.plane_of_variable[at(members[i].variable)]);
-  }
-}
-
-/// One requirement; what supports it is a plane, or the conjunction of all the other planes of a tuple.
-void Compiler::add_some_tuple(int index, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples) {
-  const kb::ClassConstraint& row = rows(index);
-  engine::Requirement requirement{.literal = subject, .supports = {}};
-  for (const auto& [members, degree] : tuples) {
-    if (!row.weight && degree < hold_) continue;
-    const double cost = row.weight ? *row.weight * (1 - degree) : 0;
-    requirement.supports.push_back({members.size() == 2 ? members[1] : conjunction({members.begin() + 1, members.end()}), cost});
-  }
-  add(index, a, -1, row.weight.value_or(hard_weight(a)), std::move(requirement));
-}
-
-/// A variable that is `yes` exactly where all members hold: it needs each of them, and they do not go with its `no`.
-Literal Compiler::conjunction(std::vector<Literal> members) {
-  std::sort(members.begin(), members.end());
-  const auto [entry, fresh] = conjunctions_.try_emplace(members, 0);
-  if (!fresh) return {entry->second, kYes};
-  std::string name;
-  for (const Literal& m : members) {
-    const engine::Variable& variable = out.problem.variables()[at(m.variable)];
-    name += (name.empty() ? "" : " and ") + variable.name + " " + variable.labels[at(m.label)];
-  }
-  const int variable = entry->second = out.problem.add_variable(name, {"no", "yes"}, {0, 0});
-  const auto define = [&](auto body) {
-    out.problem.add(name, engine::kHard, -1, std::move(body));
-    out.origins.push_back({.definition = true});
-  };
-  for (const Literal& m : members) define(engine::Requirement{.literal = {variable, kYes}, .supports = {{m, 0}}});
-  engine::Cardinality body{.condition = members[0], .literals = {members.begin() + 1, members.end()}};
-  body.literals.push_back({variable, kNo});
-  body.high = static_cast<int>(body.literals.size()) - 1;
-  define(std::move(body));
-  out.conjunctions.push_back(std::move(members));
-  return {variable, kYes};
-}
-
-/// Room for as many constraints as there will be at most.
-void Compiler::make_room() {
-  std::size_t most = 0;
-  for (const kb::ClassConstraint& row : knowledge_.constraints) {
-    if (!row.enabled) continue;
-    if (row.quantifier == Quantifier::every && row.relation) {
-      most += 2 * in_reach_of(reach_of(*row.relation)).size();
-    } else if (row.quantifier == Quantifier::no && row.relation) {
-      const FactIndex::Relation relation = index_.relation(*row.relation);
-      for (int a = 0; a < planes(); ++a) most += relation.held(a).size();
-    } else {
-      most += scene_.planes.size();
-    }
-  }
-  out.origins.reserve(most);
-  out.problem.reserve(most);
-}
-
 void Compiler::add_row(int index) {
   const kb::ClassConstraint& row = rows(index);
   short_name_ = "row " + std::to_string(row.id);
@@ -301,13 +111,14 @@ void Compiler::add_row(int index) {
   add_pairs(index, subject, other);
 }
 
-std::vector<FactIndex::Held> Compiler::held(const kb::ClassConstraint& row, int a) const {
+/// Until the next call.
+std::span<const FactIndex::Held> Compiler::held(const kb::ClassConstraint& row, int a) {
   if (row.relation) return index_.held(*row.relation, a);
-  std::vector<FactIndex::Held> all;
+  all_.clear();
   for (int b = 0; b < planes(); ++b) {
-    if (b != a) all.push_back({b, 1});
+    if (b != a) all_.push_back({b, 1});
   }
-  return all;
+  return all_;
 }
 
 void Compiler::add_some(int index, int subject, int other) {
@@ -322,75 +133,6 @@ void Compiler::add_some(int index, int subject, int other) {
     }
     add(index, a, -1, row.weight.value_or(hard_weight(a)), std::move(requirement));
   }
-}
-
-/// What a pair of the row costs in one direction; infinite = not allowed.
-double Compiler::pair_cost(const kb::ClassConstraint& row, int a, double degree) const {
-  const bool every = row.quantifier == Quantifier::every;
-  if (row.weight) return *row.weight * (every ? 1 - degree : degree);
-  return (degree >= hold_) == every ? 0 : hard_weight(a);
-}
-
-/// `every` and `no`: each pair pays for itself. Both directions of a pair of one class are one constraint.
-void Compiler::add_pairs(int index, int subject, int other) {
-  const kb::ClassConstraint& row = rows(index);
-  const bool every = row.quantifier == Quantifier::every;
-  if (every && !row.relation) return;
-  const bool both = subject == other;
-  const FactIndex::Relation facts = row.relation ? index_.relation(*row.relation) : FactIndex::Relation{};
-  const auto degree = [&](int a, int b) { return row.relation ? facts.degree(a, b) : 1.0; };
-  const auto back = [&](int a, int b) { return both ? pair_cost(row, b, degree(b, a)) : 0; };
-  if (!every) {
-    for (int a = 0; a < planes(); ++a) {
-      if (label(a, subject) < 0) continue;
-      for (const auto& [b, d] : held(row, a)) {
-        if (both && b < a && degree(b, a) > 0) continue;  // came from the other side
-        add_pair(index, subject, other, a, b, pair_cost(row, a, d), back(a, b));
-      }
-    }
-    return;
-  }
-  FactIndex::Rising rising(facts, planes());
-  const auto take = [&](int a, int b) {
-    if (label(a, subject) >= 0) add_pair(index, subject, other, a, b, pair_cost(row, a, rising.degree(a, b)), back(a, b));
-  };
-  for (const auto& [a, b] : in_reach_of(reach_of(*row.relation))) {
-    take(a, b);
-    if (!both) take(b, a);
-  }
-}
-
-/// Many rows use relations of one reach.
-const std::vector<std::pair<int, int>>& Compiler::in_reach_of(const Reach& reach) {
-  const auto [entry, fresh] = pairs_.try_emplace({reach.within, reach.within_plan});
-  if (fresh) entry->second = pairs_in_reach(boxes_of(scene_.planes), reach.within, reach.within_plan);
-  return entry->second;
-}
-
-void Compiler::add_pair(int row, int subject, int other, int a, int b, double forth, double back) {
-  const double cost = forth + back;
-  if (cost <= 0) return;
-  if (other >= 0) {
-    if (label(b, other) >= 0) add(row, a, b, cost, engine::Conflict{literal(a, subject), literal(b, other)});
-    return;
-  }
-  const Literal of_a = literal(a, subject);
-  const int variable_b = out.variable_of_plane[at(b)], spared = label(b, fallback_);
-  const int labels_a = static_cast<int>(out.class_of_label[at(of_a.variable)].size());
-  const int labels_b = static_cast<int>(out.class_of_label[at(variable_b)].size());
-  if (labels_b == 1 && spared == 0) return;
-  add(row, a, b, cost, engine::PairTable{of_a.variable, variable_b, shared_table(labels_a, of_a.label, labels_b, spared)});
-}
-
-/// 1 in the row of one label of a, but for one label of b. Many pairs share it; the weight is their own.
-int Compiler::shared_table(int labels_a, int label_a, int labels_b, int spared_b) {
-  const auto [entry, fresh] = tables_.try_emplace({labels_a, label_a, labels_b, spared_b}, 0);
-  if (fresh) {
-    std::vector<double> costs(at(labels_a) * at(labels_b), 0.0);
-    for (int l = 0; l < labels_b; ++l) costs[at(label_a) * at(labels_b) + at(l)] = l == spared_b ? 0 : 1;
-    entry->second = out.problem.add_table(labels_a, labels_b, std::move(costs));
-  }
-  return entry->second;
 }
 
 void Compiler::add_count(int index, int subject, int other) {
@@ -430,8 +172,6 @@ void Compiler::add_scene_count(int index, int subject) {
   body.low = *row.count;
   add(index, -1, -1, row.weight.value_or(strict_ ? engine::kHard : kBrokenRow), std::move(body));
 }
-
-}  // namespace
 
 double hold_degree(const kb::Knowledge& knowledge) {
   return number_setting(knowledge, "hold_degree", 0.5, 1e-9, 1);
@@ -474,10 +214,10 @@ std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const Ru
 }
 
 LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
-                         const std::vector<std::vector<double>>& evidence, const Facts& facts,
+                         const std::vector<std::vector<double>>& evidence, const Facts& facts, const FactIndex& index,
                          const std::vector<std::pair<kb::PlaneId, std::string>>& truth, HardRows hard_rows) {
   if (knowledge.fallback_index() < 0) throw Error("the knowledge has no fallback class");
-  Compiler compiler(knowledge, scene, evidence, facts, hard_rows);
+  Compiler compiler(knowledge, scene, evidence, facts, index, hard_rows);
   compiler.fix(truth);
   std::vector<int>& order = compiler.out.plane_of_variable;
   order.resize(scene.planes.size());
@@ -492,6 +232,12 @@ LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
     if (knowledge.constraints[row].enabled) compiler.add_row(static_cast<int>(row));
   }
   return std::move(compiler.out);
+}
+
+LabellingProblem compile(const kb::Knowledge& knowledge, const Scene& scene,
+                         const std::vector<std::vector<double>>& evidence, const Facts& facts,
+                         const std::vector<std::pair<kb::PlaneId, std::string>>& truth, HardRows hard_rows) {
+  return compile(knowledge, scene, evidence, facts, FactIndex(scene, facts), truth, hard_rows);
 }
 
 }  // namespace scenelore::rules

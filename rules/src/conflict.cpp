@@ -18,6 +18,12 @@ using Truth = std::vector<std::pair<kb::PlaneId, std::string>>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Of a tuple: the planes after the first two.
+std::vector<int> planes_after(const LabellingProblem& compiled, int constraint) {
+  const auto found = compiled.more_planes.find(constraint);
+  return found == compiled.more_planes.end() ? std::vector<int>{} : found->second;
+}
+
 ConflictPart part_of(const Case& about, int constraint) {
   const ConstraintOrigin& origin = about.compiled.origins[at(constraint)];
   const kb::ClassConstraint& row = about.row(constraint);
@@ -31,7 +37,7 @@ ConflictPart part_of(const Case& about, int constraint) {
     part.planes.push_back(about.id(origin.b));
     where += " and plane " + std::to_string(about.id(origin.b));
   }
-  for (const int plane : origin.more) {
+  for (const int plane : planes_after(about.compiled, constraint)) {
     part.planes.push_back(about.id(plane));
     where += " and plane " + std::to_string(about.id(plane));
   }
@@ -55,13 +61,16 @@ engine::Problem restricted(const engine::Problem& problem, const std::vector<int
 }
 
 using Place = std::tuple<int, int, int, std::vector<int>>;  // row, a, b, more
-Place place_of(const ConstraintOrigin& origin) { return {origin.row, origin.a, origin.b, origin.more}; }
+Place place_of(const LabellingProblem& compiled, int constraint) {
+  const ConstraintOrigin& origin = compiled.origins[at(constraint)];
+  return {origin.row, origin.a, origin.b, planes_after(compiled, constraint)};
+}
 
 /// Constraints of another compilation of the same rows at the same places, and what their conjunctions stand for.
 std::vector<int> same_places(const LabellingProblem& compiled, const std::set<Place>& places) {
   std::vector<int> out;
-  for (std::size_t i = 0; i < compiled.origins.size(); ++i) {
-    if (compiled.origins[i].definition || places.contains(place_of(compiled.origins[i]))) out.push_back(static_cast<int>(i));
+  for (int i = 0; i < static_cast<int>(compiled.origins.size()); ++i) {
+    if (compiled.origins[at(i)].is_definition() || places.contains(place_of(compiled, i))) out.push_back(i);
   }
   return out;
 }
@@ -80,8 +89,8 @@ Contradiction find_contradiction(const kb::Knowledge& knowledge, const Scene& sc
 
   std::set<Place> places;
   for (const int constraint : core) {
-    if (strict.origins[at(constraint)].definition) continue;
-    places.insert(place_of(strict.origins[at(constraint)]));
+    if (strict.origins[at(constraint)].is_definition()) continue;
+    places.insert(place_of(strict, constraint));
     out.parts.push_back(part_of(about, constraint));
   }
   // A truth row belongs to the contradiction when the rows could hold without it; those that do not matter go first.

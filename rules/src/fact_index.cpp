@@ -1,6 +1,7 @@
 #include "fact_index.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 #include "scenelore/rules/error.hpp"
@@ -18,6 +19,8 @@ FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), pl
   };
   std::vector<std::vector<Held>>* lists = nullptr;
   const std::string* relation = nullptr;
+  std::optional<kb::PlaneId> id;  // of the fact before: they come by relation and a
+  int index_of_a = -1;
   for (const kb::RelationFact& fact : facts.facts) {
     if (relation == nullptr || *relation != fact.relation) {
       lists = &by_relation_[fact.relation];
@@ -28,12 +31,17 @@ FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), pl
       throw Error("a fact of relation '" + fact.relation + "' has degree " + std::to_string(fact.degree) +
                   "; degrees lie above 0 and up to 1");
     }
-    const int a = plane(fact.a, fact.relation), b = plane(fact.b, fact.relation);
+    if (fact.a != id) {
+      index_of_a = plane(fact.a, fact.relation);
+      id = fact.a;
+    }
+    const int a = index_of_a, b = plane(fact.b, fact.relation);
     if (a != b) (*lists)[static_cast<std::size_t>(a)].push_back({b, fact.degree});
   }
   for (auto& [name, by_plane] : by_relation_) {
     for (std::vector<Held>& list : by_plane) {
-      std::sort(list.begin(), list.end(), [](const Held& h, const Held& i) { return h.b < i.b; });
+      const auto before = [](const Held& h, const Held& i) { return h.b < i.b; };
+      if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "compiler.hpp"
 #include "conjunctions.hpp"
 #include "reasons.hpp"
 #include "scenelore/engine/checker.hpp"
@@ -94,24 +95,29 @@ std::vector<std::optional<World>> rivals(const Case& about, const World& best, c
   return out;
 }
 
-/// Variables that share a constraint, per variable. A graph with more than k of them a variable has a treewidth above k
-/// (it is no partial k-tree), so that elimination needs tables of more than k variables.
-double pairs_a_variable(const engine::Problem& problem) {
-  const std::size_t n = problem.variables().size();
+/// Whether variables share constraints with more others than elimination can cope with: a graph with more than k edges a
+/// variable has a treewidth above k (it is no partial k-tree), so that elimination needs tables of more than k variables.
+constexpr std::size_t kMostPairsAVariable = 6;  // ten classes: a million entries
+bool too_entangled(const engine::Problem& problem) {
+  const std::size_t n = problem.variables().size(), most = kMostPairsAVariable * std::max<std::size_t>(n, 1);
   std::vector<bool> adjacent(n * n);
+  std::size_t pairs = 0;
   const auto join = [&](int a, int b) {
-    if (a != b) adjacent[at(std::min(a, b)) * n + at(std::max(a, b))] = true;
+    if (a == b) return;
+    auto entry = adjacent[at(std::min(a, b)) * n + at(std::max(a, b))];
+    pairs += entry ? 0 : 1;
+    entry = true;
   };
   for (const engine::Constraint& constraint : problem.constraints()) {
+    if (pairs >= most) break;
     if (const auto* conflict = std::get_if<engine::Conflict>(&constraint.body)) join(conflict->a.variable, conflict->b.variable);
     if (const auto* table = std::get_if<engine::PairTable>(&constraint.body)) join(table->a, table->b);
     if (const auto* needs = std::get_if<engine::Requirement>(&constraint.body)) {
       for (const engine::Support& support : needs->supports) join(needs->literal.variable, support.literal.variable);
     }
   }
-  return static_cast<double>(std::count(adjacent.begin(), adjacent.end(), true)) / static_cast<double>(std::max<std::size_t>(n, 1));
+  return pairs >= most;
 }
-constexpr double kMostPairsAVariable = 6;  // ten classes: a million entries
 
 /// Adjusted probability of each plane's label. Exact where the engine can sum over all worlds. Where it cannot, from the
 /// best world with each other label, e^−(extra cost): that of the runner-up is known exactly, those of the other labels
@@ -120,7 +126,7 @@ class Probabilities {
  public:
   Probabilities(const Case& about, engine::Solver& solver, const engine::Solution& best)
       : about_(about), best_(best), flips_(label_flip_costs(about.compiled, best.assignment)) {
-    if (pairs_a_variable(about.compiled.problem) < kMostPairsAVariable) summed_ = solver.marginals(1);
+    if (!too_entangled(about.compiled.problem)) summed_ = solver.marginals(1);
   }
 
   [[nodiscard]] double of(int plane, const std::optional<World>& rival) const {
@@ -164,7 +170,8 @@ kb::Label label_of(const Case& about, const World& best, const std::optional<Wor
 kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const std::vector<std::vector<double>>& evidence,
                     const Facts& facts, const std::vector<std::pair<kb::PlaneId, std::string>>& truth,
                     const LabellingOptions& options) {
-  const LabellingProblem compiled = compile(knowledge, scene, evidence, facts, truth);
+  const FactIndex index(scene, facts);
+  const LabellingProblem compiled = compile(knowledge, scene, evidence, facts, index, truth, HardRows::give_way);
   engine::Solver solver(compiled.problem, options.solver);
   const engine::Solution solution = solver.solve();
 
@@ -179,7 +186,6 @@ kb::Inference label(const kb::Knowledge& knowledge, const Scene& scene, const st
   out.rule_answers = facts.answers;
   if (solution.assignment.empty() || scene.planes.empty()) return out;
 
-  const FactIndex index(scene, facts);
   const Case about{knowledge, scene, evidence, index, compiled};
   const World best(about, solution);
   const auto other_worlds = rivals(about, best, solution, solver, options.solver.limits.seconds);

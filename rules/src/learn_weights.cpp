@@ -84,7 +84,7 @@ void add_examples(const kb::Knowledge& knowledge, const Layout& layout, const La
   settle(compiled, assignment);
   std::vector<std::vector<int>> of_row(knowledge.constraints.size());
   for (std::size_t i = 0; i < compiled.origins.size(); ++i) {
-    if (!compiled.origins[i].definition) of_row[at(compiled.origins[i].row)].push_back(static_cast<int>(i));
+    if (!compiled.origins[i].is_definition()) of_row[at(compiled.origins[i].row)].push_back(static_cast<int>(i));
   }
   std::vector<std::vector<std::vector<double>>> costs;  // [row of the layout][variable][label]
   for (const int row : layout.rows) costs.push_back(flip_costs(compiled.problem, assignment, of_row[at(row)]));

@@ -54,7 +54,7 @@ Profile profile(const kb::Knowledge& knowledge, const Scene& scene, const std::v
     out.rows.push_back({.constraint = knowledge.constraints[row].name, .relation = knowledge.constraints[row].relation.value_or("")});
   }
   const auto of = [&](int constraint) -> RowProfile& { return out.rows[entry.at(compiled.origins[at(constraint)].row)]; };
-  const auto is_definition = [&](int constraint) { return compiled.origins[at(constraint)].definition; };
+  const auto is_definition = [&](int constraint) { return compiled.origins[at(constraint)].is_definition(); };
   for (int i = 0; i < static_cast<int>(compiled.origins.size()); ++i) {
     if (!is_definition(i)) ++of(i).constraints;
   }

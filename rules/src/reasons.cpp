@@ -144,12 +144,12 @@ Reasoner::Reasoner(const Case& about, const World& best) : about_(about), best_(
 }
 
 /// The features that tell the class from its strongest rival, by what they add.
-std::string Reasoner::strongest_features(const std::vector<FeatureReason>& strongest) const {
+std::string Reasoner::strongest_features(const std::vector<FeatureReason>& strongest, const std::vector<std::string>& described) const {
   std::string fits, odd;
   for (std::size_t i = 0; i < std::min<std::size_t>(strongest.size(), 3); ++i) {
     if (std::abs(strongest[i].gain) < 0.1) continue;
     std::string& list = strongest[i].gain > 0 ? fits : odd;
-    list += (list.empty() ? "" : ", ") + describe_feature(about_.knowledge, strongest[i].term);
+    list += (list.empty() ? "" : ", ") + described[i];
   }
   std::string out;
   if (!fits.empty()) out += "; for it: " + fits;
@@ -170,13 +170,16 @@ void Reasoner::add_evidence(int plane) {
   }
   const std::vector<FeatureReason> strongest =
       mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
-  add(plane, "evidence", amount, sentence + strongest_features(strongest));
+  std::vector<std::string> described;
+  for (const FeatureReason& reason : strongest) described.push_back(describe_feature(about_.knowledge, reason.term));
+  add(plane, "evidence", amount, sentence + strongest_features(strongest, described));
   if (rival < 0) return;
   const std::string &mine = about_.class_name(object_class), &theirs = about_.class_name(rival);
   by_plane_[at(plane)].back().against = theirs;
-  for (const FeatureReason& reason : strongest) {
-    add(plane, "feature", reason.gain, feature_sentence(describe_feature(about_.knowledge, reason.term), reason.gain, mine, theirs));
-    by_plane_[at(plane)].back().term = reason.term;
+  by_plane_[at(plane)].reserve(by_plane_[at(plane)].size() + 2 * strongest.size());
+  for (std::size_t i = 0; i < strongest.size(); ++i) {
+    add(plane, "feature", strongest[i].gain, feature_sentence(described[i], strongest[i].gain, mine, theirs));
+    by_plane_[at(plane)].back().term = strongest[i].term;
     by_plane_[at(plane)].back().against = theirs;
   }
 }
@@ -244,7 +247,7 @@ void Reasoner::add_supports(const std::vector<double>& margins) {
     if (requirement == nullptr || !best_.holds(requirement->literal)) continue;
     const ActiveSupports found = active_supports(best_, *requirement, constraints[c].weight);
     if (found.first == nullptr) continue;
-    if (about_.compiled.origins[c].definition) continue;
+    if (about_.compiled.origins[c].is_definition()) continue;
     const kb::ClassConstraint& row = about_.row(static_cast<int>(c));
     const int a = about_.compiled.origins[c].a;
     if (const TupleConstraint* tuples = about_.facts.tuples(row)) {
@@ -297,7 +300,9 @@ void Reasoner::add_tuple_violation(const kb::ClassConstraint& row, const TupleCo
     return add(origin.a, "violation", -violation.amount, pays + "there is no " + in_words(classes) + " for which it holds", &row);
   }
   std::vector<kb::PlaneId> planes{about_.id(origin.a), about_.id(origin.b)};
-  for (const int plane : origin.more) planes.push_back(about_.id(plane));
+  if (const auto more = about_.compiled.more_planes.find(violation.constraint); more != about_.compiled.more_planes.end()) {
+    for (const int plane : more->second) planes.push_back(about_.id(plane));
+  }
   const auto tuple = std::find_if(tuples.tuples.begin(), tuples.tuples.end(), [&](const auto& t) { return t.planes == planes; });
   const std::string how = tuple == tuples.tuples.end() ? "" : " (degree " + number(tuple->degree) + ")";
   for (const kb::PlaneId plane : planes) {
@@ -352,6 +357,9 @@ void Reasoner::add_violations() {
 
 std::vector<kb::Reason> Reasoner::take() {
   std::vector<kb::Reason> out;
+  std::size_t count = 0;
+  for (const std::vector<kb::Reason>& list : by_plane_) count += list.size();
+  out.reserve(count);
   for (std::vector<kb::Reason>& list : by_plane_) {
     std::move(list.begin(), list.end(), std::back_inserter(out));
   }

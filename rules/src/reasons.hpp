@@ -38,7 +38,7 @@ class Reasoner {
   [[nodiscard]] std::string others(const std::vector<kb::PlaneId>& planes, kb::PlaneId but) const;
   void add_tuple_support(const kb::ClassConstraint& row, const TupleConstraint::Tuple& tuple, double amount, double margin);
   void add_tuple_violation(const kb::ClassConstraint& row, const TupleConstraint& tuples, const engine::Violation& violation);
-  [[nodiscard]] std::string strongest_features(const std::vector<FeatureReason>& strongest) const;
+  [[nodiscard]] std::string strongest_features(const std::vector<FeatureReason>& strongest, const std::vector<std::string>& described) const;
 
   const Case& about_;
   const World& best_;

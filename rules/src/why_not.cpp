@@ -24,7 +24,7 @@ std::vector<std::string> forbidding_rows(const Case& about, engine::Literal want
   std::set<std::string> rows;
   const engine::Conflicting conflicting = engine::Solver(problem, options.solver).conflict();
   for (const int constraint : conflicting.constraints) {
-    if (!about.compiled.origins[at(constraint)].definition) rows.insert(about.quoted(about.row(constraint)));
+    if (!about.compiled.origins[at(constraint)].is_definition()) rows.insert(about.quoted(about.row(constraint)));
   }
   return {rows.begin(), rows.end()};
 }

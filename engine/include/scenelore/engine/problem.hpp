@@ -83,6 +83,8 @@ class Problem {
   /// Returns the constraint's index, which Violation and Explanation use.
   int add(std::string name, double weight, std::int64_t reference,
           std::variant<Conflict, Requirement, Cardinality, PairTable> body);
+  /// The same for conflicts, of which a problem may have very many: nothing is copied twice.
+  int add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict);
 
   const std::vector<Variable>& variables() const { return variables_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }

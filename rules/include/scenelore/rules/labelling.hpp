@@ -1,6 +1,7 @@
 // From evidence, facts and constraint rows to an engine problem, and back to labels with reasons.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,13 +23,13 @@ namespace scenelore::rules {
 /// other row: named as it is, its summary as message, id −1, −2, …
 [[nodiscard]] kb::Knowledge with_tuple_constraints(kb::Knowledge knowledge, const Facts& facts);
 
-/// Where a constraint of the problem comes from.
+/// Where a constraint of the problem comes from. A scene has tens of thousands of them, hence no more in here.
 struct ConstraintOrigin {
-  int row = -1;  ///< index into Knowledge::constraints
+  int row = -1;  ///< index into Knowledge::constraints, −1 = of no row
   int a = -1;    ///< index into Scene::planes of the plane that the row speaks about, −1 = the whole scene
   int b = -1;    ///< the other plane of a pair, −1 = several
-  std::vector<int> more;    ///< of a tuple: the planes after a and b
-  bool definition = false;  ///< only says what a conjunction stands for; never broken, not of a row (row is −1)
+  /// Only says what a conjunction stands for; never broken.
+  [[nodiscard]] bool is_definition() const { return row < 0; }
 };
 
 /// How the floor to start from was found under `floor` = `threshold`.
@@ -51,6 +52,7 @@ struct LabellingProblem {
   std::vector<std::vector<int>> class_of_label;      ///< [variable][label] → index into Knowledge::classes, best first
   std::vector<std::vector<int>> label_of_class;      ///< [variable][class] → label, −1 = ruled out (truth)
   std::vector<ConstraintOrigin> origins;             ///< one a constraint of the problem
+  std::map<int, std::vector<int>> more_planes;       ///< by constraint, of tuples: the planes after a and b
   /// "These planes are all of these classes": variables of their own after those of the planes, labels no (0) and yes (1),
   /// that follow from the labels of the planes. `some` over several planes leans on them.
   std::vector<std::vector<engine::Literal>> conjunctions;
