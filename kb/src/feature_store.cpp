@@ -27,21 +27,32 @@ std::vector<std::string> catalogue(const Database& database) {
   return names;
 }
 
-// Whether the rows of these planes hold just the given columns of `given`, and nothing else.
-bool same_values(const Database& database, const std::vector<PlaneId>& planes, const FeatureTable& given, std::vector<std::size_t> columns) {
-  std::sort(columns.begin(), columns.end(), [&](std::size_t a, std::size_t b) { return given.names[a] < given.names[b]; });
-  Statement select = database.prepare("SELECT feature, value FROM plane_feature WHERE plane_id = ? ORDER BY feature");
+// Whether these planes have as many rows as there are known values in the given columns.
+bool as_many(const Database& database, const std::vector<PlaneId>& planes, std::size_t wanted) {
+  Statement count = database.prepare("SELECT count(*) FROM plane_feature WHERE plane_id BETWEEN ? AND ?");
+  const auto [first, last] = std::minmax_element(planes.begin(), planes.end());
+  auto row = count.use();
+  return row(*first)(*last).next() && row.integer(0) == static_cast<std::int64_t>(wanted);
+}
+
+// Whether the rows of these planes are those that store_features would write, and no others. What was written together lies together:
+// one pass over the table from the first row on, without an index. False at worst has the same rows written again.
+bool same_values(const Database& database, const std::vector<PlaneId>& planes, const FeatureTable& given, const std::vector<std::size_t>& columns) {
+  if (planes.empty()) return true;
+  Statement select = database.prepare(
+      "SELECT plane_id, feature, value FROM plane_feature NOT INDEXED WHERE id >= (SELECT min(id) FROM plane_feature WHERE plane_id = ?) ORDER BY id");
+  auto row = select.use();
+  row(planes[0]);
+  std::size_t wanted = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    auto row = select.use();
-    row(planes[p]);
     for (const std::size_t column : columns) {
       const double value = given.values[p][column];
       if (std::isnan(value)) continue;
-      if (!row.next() || row.view(0) != given.names[column] || row.real(1) != value) return false;
+      if (!row.next() || row.integer(0) != planes[p] || row.view(1) != given.names[column] || row.real(2) != value) return false;
+      ++wanted;
     }
-    if (row.next()) return false;
   }
-  return true;
+  return as_many(database, planes, wanted);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What the engine found out: written as a whole, replaced as a whole.
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,8 +41,12 @@ std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int6
 
 void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
   const std::size_t classes = inference.classes.size();
+  // What was written together has neighbouring ids: read one after another instead of by the index.
   Statement select = database.prepare(
-      "SELECT id, probability, plane_id, class FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?) ORDER BY id");
+      "SELECT id, probability, plane_id, class FROM evidence NOT INDEXED WHERE id BETWEEN "
+      "(SELECT min(id) FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?1)) AND "
+      "(SELECT max(id) FROM evidence WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?1)) "
+      "AND plane_id IN (SELECT id FROM plane WHERE scan_id = ?1) ORDER BY id");
   Statement update = database.prepare("UPDATE evidence SET probability = ? WHERE id = ?");
   const auto matches = [&](const Statement::Use& row, std::size_t i) {
     return row.integer(2) == inference.planes[i / classes] && row.view(3) == inference.classes[i % classes];
@@ -55,12 +61,41 @@ void replace_evidence(Database& database, ScanId scan, const Inference& inferenc
   }
 }
 
-void insert_labels(Database& database, std::int64_t run, const Inference& inference) {
-  Statement label = database.prepare(
-      "INSERT INTO label (plane_id, class, probability, run_id, margin, runner_up) VALUES (?, ?, ?, ?, ?, ?)");
-  for (const Label& l : inference.labels) {
-    label.use()(l.plane)(l.object_class)(l.probability)(run)(l.margin)(l.runner_up).run();
+/// Where a plane keeps its class and the next best one, only numbers change, which no index needs to know.
+void replace_labels(Database& database, ScanId scan, std::int64_t run, const Inference& inference) {
+  std::map<PlaneId, Label> before;
+  {
+    Statement select = database.prepare(
+        "SELECT plane_id, class, probability, margin, runner_up, run_id FROM label WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?)");
+    auto row = select.use();
+    for (row(scan); row.next();) {
+      const bool same_run = row.integer(5) == run;  // else without a class that a label could have
+      before[row.integer(0)] = {row.integer(0), same_run ? row.text(1) : "", row.real(2), row.real(3), row.optional_text(4)};
+    }
   }
+  Statement update = database.prepare("UPDATE label SET probability = ?, margin = ? WHERE plane_id = ?");
+  std::vector<const Label*> anew;
+  for (const Label& l : inference.labels) {
+    const auto old = before.find(l.plane);
+    if (old == before.end() || old->second.object_class != l.object_class || old->second.runner_up != l.runner_up) {
+      anew.push_back(&l);
+      continue;
+    }
+    if (old->second.probability != l.probability || old->second.margin != l.margin) update.use()(l.probability)(l.margin)(l.plane).run();
+    old->second.plane = 0;  // stays
+  }
+  if (anew.empty() && before.size() == inference.labels.size()) return;
+  Statement remove = database.prepare("DELETE FROM label WHERE plane_id = ?");
+  for (const auto& [plane, label] : before) {
+    if (label.plane != 0) remove.use()(plane).run();
+  }
+  Statement insert = database.prepare(
+      "INSERT INTO label (plane_id, class, probability, run_id, margin, runner_up) VALUES (?, ?, ?, ?, ?, ?)");
+  for (const Label* l : anew) insert.use()(l->plane)(l->object_class)(l->probability)(run)(l->margin)(l->runner_up).run();
+}
+
+void replace_alternatives(Database& database, std::int64_t run, const Inference& inference) {
+  database.prepare("DELETE FROM alternative WHERE run_id = ?").use()(run).run();
   Statement alternative = database.prepare("INSERT INTO alternative (run_id, rank, plane_id, class) VALUES (?, ?, ?, ?)");
   for (const Alternative& a : inference.alternatives) alternative.use()(run)(a.rank)(a.plane)(a.object_class).run();
 }
@@ -79,16 +114,21 @@ Reason read_reason(const Statement::Use& row, int first) {
   return r;
 }
 
-bool same(const Reason& a, const Reason& b) {
-  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  const auto terms = [&] {
-    if (!a.term || !b.term) return a.term.has_value() == b.term.has_value();
-    return a.term->feature == b.term->feature && equal(a.term->value, b.term->value) && equal(a.term->mean, b.term->mean) &&
-           equal(a.term->sigma, b.term->sigma);
+/// Whether the columns from `first` on hold this reason. Nothing is copied: a run has a thousand of them.
+bool holds(const Statement::Use& row, int first, const Reason& r) {
+  const auto text = [&](int column, const std::optional<std::string>& wanted) {
+    return wanted ? !row.is_null(first + column) && row.view(first + column) == *wanted : row.is_null(first + column);
   };
-  return a.plane == b.plane && a.amount == b.amount && a.other_plane == b.other_plane && a.sentence == b.sentence &&
-         a.kind == b.kind && a.object_class == b.object_class && a.constraint_name == b.constraint_name && a.against == b.against &&
-         terms();
+  const auto number = [&](int column, double wanted) {
+    return std::isnan(wanted) ? row.is_null(first + column) : !row.is_null(first + column) && row.real(first + column) == wanted;
+  };
+  const auto other = [&] { return r.other_plane ? !row.is_null(first + 4) && row.integer(first + 4) == *r.other_plane : row.is_null(first + 4); };
+  const auto term = [&] {
+    if (!r.term) return row.is_null(first + 7);
+    return !row.is_null(first + 7) && row.view(first + 7) == r.term->feature && number(8, r.term->value) && number(9, r.term->mean) && number(10, r.term->sigma);
+  };
+  return row.integer(first) == r.plane && number(5, r.amount) && other() && row.view(first + 6) == r.sentence && row.view(first + 2) == r.kind &&
+         row.view(first + 1) == r.object_class && text(3, r.constraint_name) && text(11, r.against) && term();
 }
 
 void bind(Statement::Use& use, const Reason& r) {
@@ -106,21 +146,25 @@ void replace_reasons(Database& database, std::int64_t run, const std::vector<Rea
   std::vector<std::pair<std::size_t, std::int64_t>> changed;  // index, id of the row
   std::size_t rows = 0;
   std::int64_t last = 0;
+  bool more = false;
   {
     Statement select = database.prepare("SELECT id, " + std::string(kReasonColumns) + " FROM reason WHERE run_id = ? ORDER BY id");
     auto row = select.use();
-    for (row(run); rows < reasons.size() && row.next(); ++rows) {
+    for (row(run); (more = row.next()) && rows < reasons.size(); ++rows) {
       last = row.integer(0);
-      if (!same(read_reason(row, 1), reasons[rows])) changed.emplace_back(rows, last);
+      if (!holds(row, 1, reasons[rows])) changed.emplace_back(rows, last);
     }
   }
-  database.prepare("DELETE FROM reason WHERE run_id = ? AND id > ?").use()(run)(rows == 0 ? 0 : last).run();
-  Statement update = database.prepare("UPDATE reason SET (" + std::string(kReasonColumns) + ") = (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) WHERE id = ?");
-  for (const auto& [index, id] : changed) {
-    auto use = update.use();
-    bind(use, reasons[index]);
-    use(id).run();
+  if (more) database.prepare("DELETE FROM reason WHERE run_id = ? AND id > ?").use()(run)(rows == 0 ? 0 : last).run();
+  if (!changed.empty()) {
+    Statement update = database.prepare("UPDATE reason SET (" + std::string(kReasonColumns) + ") = (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) WHERE id = ?");
+    for (const auto& [index, id] : changed) {
+      auto use = update.use();
+      bind(use, reasons[index]);
+      use(id).run();
+    }
   }
+  if (rows == reasons.size()) return;
   Statement insert = database.prepare("INSERT INTO reason (" + std::string(kReasonColumns) + ", run_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (; rows < reasons.size(); ++rows) {
     auto use = insert.use();
@@ -147,13 +191,12 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   Transaction transaction(database);
   const std::optional<std::int64_t> previous = previous_run(database, scan);
   const std::int64_t run = insert_run(database, scan, previous, inference.run);
-  database.prepare("DELETE FROM label WHERE plane_id IN (SELECT id FROM plane WHERE scan_id = ?)").use()(scan).run();
-  database.prepare("DELETE FROM alternative WHERE run_id = ?").use()(run).run();
   replace_evidence(database, scan, inference);
   replace_facts(database, scan, inference);
   replace_geometry(database, scan, inference.geometry);
   replace_rule_answers(database, scan, inference);
-  insert_labels(database, run, inference);
+  replace_labels(database, scan, run, inference);
+  replace_alternatives(database, run, inference);
   replace_objects(database, run, inference);
   replace_reasons(database, run, inference.reasons);
   transaction.commit();

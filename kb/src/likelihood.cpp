@@ -14,6 +14,7 @@ constexpr double kTail = 4;  // how much wider odd values scatter than usual one
 
 double log_add(double a, double b) {
   const double high = std::max(a, b), low = std::min(a, b);
+  if (low - high < -40 && std::abs(high) > 0.1) return high;  // e^-40 is less than half of the last digit: the same bits, sooner
   return std::isinf(high) ? high : high + std::log1p(std::exp(low - high));
 }
 
