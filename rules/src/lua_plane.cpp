@@ -71,20 +71,34 @@ int describe_plane(lua_State* state) {
   return 1;
 }
 
-/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed.
-void push_handle(RuleHost& host, int plane, lua_CFunction unknown) {
+/// Pushes what the registry keeps under `reference`; `make` pushes it for the first time.
+template <typename Make>
+void push_kept(RuleHost& host, int& reference, Make make) {
   lua_State* state = host.lua.get();
-  lua_createtable(state, 0, 1);  // of the values themselves: for names they lack
-  push_function(host, unknown);
-  lua_setfield(state, -2, "__index");
+  if (reference == LUA_NOREF) {
+    make();
+    reference = luaL_ref(state, LUA_REGISTRYINDEX);
+  }
+  lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
+}
+
+/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed. `rare_fields` keeps the
+/// metatable of such values, which answers with `unknown` for names that they lack.
+void push_handle(RuleHost& host, int plane, int& rare_fields, lua_CFunction unknown) {
+  lua_State* state = host.lua.get();
+  push_kept(host, rare_fields, [&] {
+    lua_createtable(state, 0, 1);
+    push_function(host, unknown);
+    lua_setfield(state, -2, "__index");
+  });
   lua_setmetatable(state, -2);
   *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = {plane};
-  lua_createtable(state, 0, 5);
+  lua_createtable(state, 0, 4);
   lua_pushvalue(state, -3);
   lua_setfield(state, -2, "__index");
-  push_function(host, guarded<no_writing>);
+  push_kept(host, host.no_writing, [&] { push_function(host, guarded<no_writing>); });
   lua_setfield(state, -2, "__newindex");
-  push_function(host, guarded<describe_plane>);
+  push_kept(host, host.describe, [&] { push_function(host, guarded<describe_plane>); });
   lua_setfield(state, -2, "__tostring");
   lua_pushboolean(state, 0);
   lua_setfield(state, -2, "__metatable");
@@ -103,7 +117,7 @@ void push_normal(RuleHost& host, const Eigen::Vector3d& normal) {
   set_number(state, "x", normal.x());
   set_number(state, "y", normal.y());
   set_number(state, "z", normal.z());
-  push_handle(host, -1, guarded<unknown_vector_field>);
+  push_handle(host, -1, host.rare_fields_of_vectors, guarded<unknown_vector_field>);
 }
 
 /// What few rules ask for is made when one does: the normal, and the features of the catalogue. Arguments are the values and the key
@@ -141,7 +155,7 @@ void make_plane(RuleHost& host, std::size_t index) {
   for (const PlaneField& field : kFields) set_number(state, field.name, field.value(host.scene->planes[index]));
   lua_pushinteger(state, host.scene->ids[index]);
   lua_setfield(state, -2, "id");
-  push_handle(host, static_cast<int>(index), guarded<rare_plane_field>);
+  push_handle(host, static_cast<int>(index), host.rare_fields_of_planes, guarded<rare_plane_field>);
 }
 
 using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);
@@ -230,22 +244,21 @@ void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
   host.scene = scene;
   host.geometry = geometry;
   if (scene != nullptr) host.features_read.clear();
-  luaL_unref(state, LUA_REGISTRYINDEX, host.planes);
-  lua_createtable(state, scene == nullptr ? 0 : static_cast<int>(scene->planes.size()), 0);
-  host.planes = luaL_ref(state, LUA_REGISTRYINDEX);
+  for (const int reference : host.planes) luaL_unref(state, LUA_REGISTRYINDEX, reference);
+  host.planes.assign(scene == nullptr ? 0 : scene->planes.size(), LUA_NOREF);
 }
 
 void push_plane(RuleHost& host, int index) {
   lua_State* state = host.lua.get();
-  lua_rawgeti(state, LUA_REGISTRYINDEX, host.planes);
-  if (lua_rawgeti(state, -1, index + 1) == LUA_TNIL) {
+  const auto at = static_cast<std::size_t>(index);
+  if (at >= host.planes.size()) host.planes.resize(at + 1, LUA_NOREF);  // the scene of a test file grows while it is looked at
+  int& reference = host.planes[at];
+  if (reference == LUA_NOREF) {
     const LuaState::HostMemory memory(host.lua);
-    lua_pop(state, 1);
-    make_plane(host, static_cast<std::size_t>(index));
-    lua_pushvalue(state, -1);
-    lua_rawseti(state, -3, index + 1);
+    make_plane(host, at);
+    reference = luaL_ref(state, LUA_REGISTRYINDEX);
   }
-  lua_remove(state, -2);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
 }
 
 }  // namespace scenelore::rules

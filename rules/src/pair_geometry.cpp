@@ -96,16 +96,24 @@ std::vector<std::pair<int, int>> pairs_in_reach(const std::vector<Box3>& boxes, 
   std::sort(order.begin(), order.end(),
             [&](int i, int j) { return std::pair(box(i).min().x(), i) < std::pair(box(j).min().x(), j); });
   const double reach = std::min(within, within_plan);
-  std::vector<std::pair<int, int>> pairs;
+  std::vector<std::vector<int>> partners(boxes.size());  // by the smaller index
+  std::size_t count = 0;
   std::vector<int> open;  // those that may still reach what comes further along x
   for (const int i : order) {
     std::erase_if(open, [&](int j) { return box(j).max().x() + reach < box(i).min().x(); });
     for (const int j : open) {
-      if (in_reach(box(i), box(j), within, within_plan)) pairs.emplace_back(std::min(i, j), std::max(i, j));
+      if (!in_reach(box(i), box(j), within, within_plan)) continue;
+      partners[static_cast<std::size_t>(std::min(i, j))].push_back(std::max(i, j));
+      ++count;
     }
     open.push_back(i);
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::vector<std::pair<int, int>> pairs;
+  pairs.reserve(count);
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    std::sort(partners[i].begin(), partners[i].end());
+    for (const int j : partners[i]) pairs.emplace_back(static_cast<int>(i), j);
+  }
   return pairs;
 }
 

@@ -35,7 +35,9 @@ Segment2 plan_line(const perception::Ring& outer, const Vector3d& centroid, cons
   return {middle + low * direction, middle + high * direction};
 }
 
-double squared_distance(const Box3& a, const Box3& b) { return a.squaredExteriorDistance(b); }
+double squared_distance(const Box3& a, const Box3& b) {
+  return (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0).squaredNorm();
+}
 
 double squared_to_segment(const Vector3d& p, const Vector3d& from, const Vector3d& to) {
   const Vector3d d = to - from;
@@ -125,20 +127,34 @@ bool PlaneShape::covers(const Eigen::Vector3d& point) const {
 }
 
 double hull_gap(const PlaneShape& a, const PlaneShape& b) {
-  std::vector<std::pair<double, std::pair<const EdgeBlock*, const EdgeBlock*>>> nearest_first;
+  struct BlockPair {
+    double apart;
+    const EdgeBlock *p, *q;
+  };
+  std::vector<BlockPair> pairs;
+  pairs.reserve(a.blocks.size() * b.blocks.size());
   for (const EdgeBlock& p : a.blocks) {
-    for (const EdgeBlock& q : b.blocks) nearest_first.push_back({squared_distance(p.box, q.box), {&p, &q}});
+    for (const EdgeBlock& q : b.blocks) pairs.push_back({squared_distance(p.box, q.box), &p, &q});
   }
-  std::sort(nearest_first.begin(), nearest_first.end());
+  const auto nearer = [](const BlockPair& x, const BlockPair& y) { return x.apart < y.apart; };
   double best = std::numeric_limits<double>::infinity();
-  for (const auto& [apart, blocks] : nearest_first) {
-    if (apart >= best) break;
-    for (std::size_t i = blocks.first->begin; i < blocks.first->end; ++i) {
-      if (squared_distance(a.edges[i].box, blocks.second->box) >= best) continue;
-      for (std::size_t j = blocks.second->begin; j < blocks.second->end; ++j) {
+  const auto look = [&](const BlockPair& pair) {
+    for (std::size_t i = pair.p->begin; i < pair.p->end; ++i) {
+      if (squared_distance(a.edges[i].box, pair.q->box) >= best) continue;
+      for (std::size_t j = pair.q->begin; j < pair.q->end; ++j) {
         if (squared_distance(a.edges[i].box, b.edges[j].box) < best) best = std::min(best, squared_distance(a.edges[i], b.edges[j]));
       }
     }
+  };
+  // After the nearest two blocks hardly any others are left, so that it does not pay to sort them all.
+  const auto nearest = std::min_element(pairs.begin(), pairs.end(), nearer);
+  look(*nearest);
+  nearest->apart = std::numeric_limits<double>::infinity();
+  std::erase_if(pairs, [&](const BlockPair& pair) { return pair.apart >= best; });
+  std::sort(pairs.begin(), pairs.end(), nearer);
+  for (const BlockPair& pair : pairs) {
+    if (pair.apart >= best) break;
+    look(pair);
   }
   best = edges_to_inside(a, b, best);
   if (best > 0) best = edges_to_inside(b, a, best);

@@ -29,7 +29,9 @@ struct RuleHost {
   const Scene* scene = nullptr;
   PairGeometry* geometry = nullptr;
   std::set<std::string, std::less<>> features_read;  ///< of the catalogue, since set_scene; "?" = some name that it lacks
-  int planes = LUA_NOREF;                        ///< registry: table of the planes pushed so far
+  std::vector<int> planes;                       ///< registry: the planes of the scene, LUA_NOREF = not pushed yet
+  /// Registry: what all planes and vectors have in common, made with the first of them.
+  int no_writing = LUA_NOREF, describe = LUA_NOREF, rare_fields_of_planes = LUA_NOREF, rare_fields_of_vectors = LUA_NOREF;
   int environment = LUA_NOREF;                   ///< registry: globals of the file
 };
 

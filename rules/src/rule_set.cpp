@@ -54,6 +54,12 @@ std::string converse_in(const std::string& text) {
   return text.substr(name, text.find('"', name) - name);
 }
 
+/// A fact of a relation that is known from the context.
+struct Held {
+  kb::PlaneId a, b;
+  double degree;
+};
+
 }  // namespace
 
 /// A rule that runs in a state of its own, made when it is first asked; a user's file is run at once, to see whether it
@@ -141,7 +147,7 @@ struct RuleSet::Implementation {
   }
 
   RelationCount ask(RuleFile& file, const Scene& scene, PairGeometry& geometry, const std::vector<std::pair<int, int>>& pairs,
-                    std::vector<kb::RelationFact>& facts) const {
+                    std::vector<Held>& facts) const {
     const Clock::time_point start = Clock::now();
     RelationCount count{.relation = file.name()};
     file.look_at(&scene, &geometry);
@@ -150,7 +156,7 @@ struct RuleSet::Implementation {
     const auto hold = [&](int a, int b, double degree) {
       if (degree <= 0) return;
       ++count.held;
-      facts.push_back({info.name, id(a), id(b), degree});
+      facts.push_back({id(a), id(b), degree});
     };
     for (const auto& [a, b] : pairs) {
       if (count.asked % 64 == 0) check_total(file, start, count.asked);
@@ -327,13 +333,23 @@ class KeptGeometry {
 
 namespace {
 
+/// Facts by a and b, those of a run before or found now.
 struct Answer {
-  std::vector<kb::RelationFact> facts;  // by a and b
+  const std::vector<kb::RelationFact>* known = nullptr;
+  std::vector<Held> found;
   kb::RelationAsked asked;
+
+  [[nodiscard]] std::size_t size() const { return known != nullptr ? known->size() : found.size(); }
+  template <typename Visit>
+  void for_each(Visit visit) const {
+    for (const Held& fact : found) visit(fact.a, fact.b, fact.degree);
+    if (known == nullptr) return;
+    for (const kb::RelationFact& fact : *known) visit(fact.a, fact.b, fact.degree);
+  }
 };
 
-void sort_by_planes(std::vector<kb::RelationFact>& facts) {
-  std::sort(facts.begin(), facts.end(), [](const auto& f, const auto& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
+void sort_by_planes(std::vector<Held>& facts) {
+  std::sort(facts.begin(), facts.end(), [](const Held& f, const Held& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); });
 }
 
 }  // namespace
@@ -354,13 +370,14 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       return asked.inputs_sha256 == implementation_->inputs(name, digest, asked.features);
     };
     if (found != known.facts.end() && is_answered(found->second.asked)) {
-      result = {found->second.facts, found->second.asked};
+      result.known = &found->second.facts;
+      result.asked = found->second.asked;
       return result;
     }
     if (const std::optional<std::string> other = implementation_->mirrored(name)) {
       const Clock::time_point start = Clock::now();
       const Answer& there = self(self, *other);
-      for (const kb::RelationFact& fact : there.facts) result.facts.push_back({name, fact.b, fact.a, fact.degree});
+      there.for_each([&](kb::PlaneId a, kb::PlaneId b, double degree) { result.found.push_back({b, a, degree}); });
       result.asked = there.asked;
       out.counts.push_back({.relation = name, .asked = there.asked.asked, .held = there.asked.held, .milliseconds = milliseconds_since(start)});
     } else {
@@ -369,18 +386,22 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       const RelationInfo& info = file.relation();
       const auto [list, new_reach] = pairs.try_emplace({info.within, info.within_plan});
       if (new_reach) list->second = pairs_in_reach(boxes, info.within, info.within_plan);
-      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), list->second, result.facts));
+      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), list->second, result.found));
       result.asked = {.asked = out.counts.back().asked, .held = out.counts.back().held, .within = info.within,
                       .within_plan = info.within_plan, .features = file.features_read()};
     }
     result.asked.stored = false;
     result.asked.inputs_sha256 = implementation_->inputs(name, digest, result.asked.features);
-    sort_by_planes(result.facts);
+    sort_by_planes(result.found);
     return result;
   };
-  for (const std::string& name : std::set<std::string>(relations.begin(), relations.end())) {
-    const Answer& result = answer(answer, name);
-    out.facts.insert(out.facts.end(), result.facts.begin(), result.facts.end());
+  const std::set<std::string> names(relations.begin(), relations.end());
+  std::size_t facts = 0;
+  for (const std::string& name : names) facts += answer(answer, name).size();
+  out.facts.reserve(facts);
+  for (const std::string& name : names) {
+    const Answer& result = answers.at(name);
+    result.for_each([&](kb::PlaneId a, kb::PlaneId b, double degree) { out.facts.push_back({name, a, b, degree}); });
     out.asked[name] = result.asked;
     out.reach[name] = {result.asked.within, result.asked.within_plan};
   }
