@@ -7,9 +7,10 @@
 namespace scenelore::perception {
 namespace {
 
-Eigen::Vector2i cell_at(const PlaneFit& plane, double edge, const Eigen::Vector3d& p) {
+/// Column and row; still in floating point, since a ray may cross the plane anywhere.
+Eigen::Array2d cell_at(const PlaneFit& plane, double edge, const Eigen::Vector3d& p) {
   const Eigen::Vector3d d = p - plane.centroid;
-  return {static_cast<int>(std::floor(plane.axes.col(1).dot(d) / edge)), static_cast<int>(std::floor(plane.axes.col(2).dot(d) / edge))};
+  return {std::floor(plane.axes.col(1).dot(d) / edge), std::floor(plane.axes.col(2).dot(d) / edge)};
 }
 
 Eigen::Vector2d middle_of(const Eigen::Vector2i& cell, double edge) { return (cell.cast<double>().array() + 0.5) * edge; }
@@ -19,8 +20,8 @@ Eigen::Vector2d middle_of(const Eigen::Vector2i& cell, double edge) { return (ce
 PlaneView view_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points, double edge) {
   std::vector<CellKey> keys;
   for (const std::uint32_t i : points) {
-    const Eigen::Vector2i c = cell_at(plane, edge, cloud.offset(i).cast<double>());
-    keys.push_back(cell_key(c.x(), c.y(), 0));
+    const Eigen::Array2d c = cell_at(plane, edge, cloud.offset(i).cast<double>());
+    keys.push_back(cell_key(static_cast<std::int64_t>(c.x()), static_cast<std::int64_t>(c.y()), 0));
   }
   const CellIndex index(keys);
   PlaneView view;
@@ -50,8 +51,8 @@ void look_past(const Cloud& cloud, const PlaneFit& plane, double behind, PlaneVi
     const Eigen::Vector3d p = cloud.offset(i).cast<double>();
     const double d = normal.dot(p) - offset;
     if (!(d > behind)) continue;  // nor is a point without coordinates
-    const Eigen::Array2i c = cell_at(plane, view.edge, sensor + before / (before + d) * (p - sensor)).array() - first;
-    if ((c >= 0).all() && (c < size).all()) ++passed[index(c)];
+    const Eigen::Array2d c = cell_at(plane, view.edge, sensor + before / (before + d) * (p - sensor)) - first.cast<double>();
+    if ((c >= 0).all() && (c < size.cast<double>()).all()) ++passed[index(c.cast<int>())];
   }
   for (std::size_t k = 0; k < passed.size(); ++k) {
     const Eigen::Array2i c(static_cast<int>(k % static_cast<std::size_t>(size.x())), static_cast<int>(k / static_cast<std::size_t>(size.x())));
