@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -161,9 +160,15 @@ std::vector<std::string> relations_with_facts(const Database& database, ScanId s
 /// The facts of each relation, by a and b.
 std::map<std::string, std::vector<RelationFact>> by_relation(const std::vector<RelationFact>& facts) {
   std::map<std::string, std::vector<RelationFact>> out;
-  for (const RelationFact& fact : facts) out[fact.relation].push_back(fact);
+  std::vector<RelationFact>* current = nullptr;  // of the fact before: they come by relation
+  for (const RelationFact& fact : facts) {
+    if (current == nullptr || current->back().relation != fact.relation) current = &out[fact.relation];
+    current->push_back(fact);
+  }
   const auto before = [](const RelationFact& f, const RelationFact& g) { return std::pair(f.a, f.b) < std::pair(g.a, g.b); };
-  for (auto& [relation, list] : out) std::sort(list.begin(), list.end(), before);
+  for (auto& [relation, list] : out) {
+    if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
+  }
   return out;
 }
 
@@ -188,7 +193,13 @@ void replace_facts(Database& database, ScanId scan, const Inference& inference) 
   const NoTriggers own_writing(database);
   std::map<std::string, std::vector<RelationFact>> wanted;  // of the relations that were asked anew
   std::vector<RelationFact> anew;
-  std::copy_if(inference.facts.begin(), inference.facts.end(), std::back_inserter(anew), [&](const RelationFact& f) { return !kept(f.relation); });
+  const std::string* relation_before = nullptr;
+  bool kept_before = false;
+  for (const RelationFact& fact : inference.facts) {
+    if (relation_before == nullptr || *relation_before != fact.relation) kept_before = kept(fact.relation);
+    relation_before = &fact.relation;
+    if (!kept_before) anew.push_back(fact);
+  }
   wanted = by_relation(anew);
   for (const std::string& relation : relations_with_facts(database, scan)) {
     if (!kept(relation)) wanted.try_emplace(relation);

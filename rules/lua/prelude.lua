@@ -386,6 +386,7 @@ function environment.constraint(t)
   return {
     kind = "constraint", name = t.name, summary = t.summary, quantifier = t.quantifier, within = t.within, classes = classes,
     weight = t.weight == "hard" and huge or t.weight,
+    direct = applies or degree, direct_is_filter = applies ~= nil,  -- most tuples end here
     ask = function(...)
       if applies then
         local may = applies(...)

@@ -98,6 +98,13 @@ void RuleFile::take_over() {
                    .quantifier = quantifier_of(text_field("quantifier")),
                    .weight = std::isfinite(weight) ? std::optional(weight) : std::nullopt, .within = number_field("within"),
                    .tuples = {}};
+    lua_pushliteral(state, "direct_is_filter");
+    lua_rawget(state, -2);
+    direct_is_filter_ = lua_toboolean(state, -1) != 0;
+    lua_pop(state, 1);
+    lua_pushliteral(state, "direct");
+    lua_rawget(state, -2);
+    direct_ = luaL_ref(state, LUA_REGISTRYINDEX);
   } else {
     kind_ = Kind::feature;
     feature_ = {.name = name_, .unit = text_field("unit"), .scale = scale_of(text_field("scale")),
@@ -164,10 +171,19 @@ double RuleFile::degree(int a, int b) {
 
 std::optional<double> RuleFile::degree(const std::vector<int>& planes) {
   lua_State* state = host_->lua.get();
-  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
-  for (const int plane : planes) push_plane(*host_, plane);
-  try {
+  const auto call = [&](int function) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, function);
+    for (const int plane : planes) push_plane(*host_, plane);
     host_->lua.call(static_cast<int>(planes.size()), 1);
+  };
+  try {
+    call(direct_);
+    const bool is_no = lua_type(state, -1) == LUA_TBOOLEAN && lua_toboolean(state, -1) == 0;
+    const double answer = !direct_is_filter_ && lua_type(state, -1) == LUA_TNUMBER ? lua_tonumber(state, -1) : -1;
+    lua_pop(state, 1);
+    if (is_no) return direct_is_filter_ ? std::nullopt : std::optional(0.0);
+    if (answer >= 0 && answer <= 1) return answer;
+    call(ask_);  // the checked way, which says what is wrong with an answer
   } catch (const Error& error) {
     std::string who;
     for (const int plane : planes) who += " " + std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]);

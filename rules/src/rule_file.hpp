@@ -65,6 +65,7 @@ class RuleFile {
   TupleConstraint constraint_;
   int ask_ = LUA_NOREF;
   int direct_ = LUA_NOREF, self_ = LUA_NOREF;  // of a relation without `applies`: its own function, its tolerances
+  bool direct_is_filter_ = false;              // of a constraint: `direct_` is its `applies`, else its degree
 };
 
 }  // namespace scenelore::rules
