@@ -1,5 +1,8 @@
 // The catalogue's built-in features, from the stored planes.
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "scenelore/kb/knowledge_base.hpp"
 
@@ -29,6 +32,26 @@ double known(double length) { return length > 0 ? length : kUnknown; }
 
 }  // namespace
 
+double stray_deg(const std::vector<StoredPlane>& planes) {
+  constexpr double kLeastArea = 0.25, kMeantLevel = 15, kShare = 0.8, kNormalQuantile = 1.2816;  // of |x| at 80 %
+  constexpr double kBuilt = 0.3;  // DIN 18202, table 2: 8 mm out of true on 1 to 3 m
+  constexpr std::size_t kFew = 4;
+  std::vector<std::pair<double, double>> off;  // degrees, weight
+  double sum = 0;
+  for (const StoredPlane& stored : planes) {
+    const double tilt = stored.plane.tilt_deg, degrees = std::min(tilt, 90 - tilt);
+    if (stored.plane.area_m2 < kLeastArea || degrees > kMeantLevel) continue;
+    off.emplace_back(degrees, std::sqrt(stored.plane.area_m2));
+    sum += off.back().second;
+  }
+  if (off.size() < kFew) return kBuilt;
+  std::sort(off.begin(), off.end());
+  double below = 0;
+  for (const auto& [degrees, weight] : off)
+    if ((below += weight) >= kShare * sum) return std::max(kBuilt, degrees / kNormalQuantile);
+  return kBuilt;
+}
+
 FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>& planes) {
   FeatureTable table;
   table.names = {"area_m2", "length", "width", "rectangularity", "tilt_deg",      "height",    "x",
@@ -42,6 +65,7 @@ FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>&
                             p.z_min, p.z_max, p.rmse, p.point_density, p.facing_up, p.seen_share,
                             known(p.spread_length), known(p.spread_width), p.behind >= 0 ? p.behind : kUnknown});
   }
+  table.errors["tilt_deg"].assign(planes.size(), stray_deg(planes));
   return table;
 }
 

@@ -23,18 +23,24 @@ namespace {
 struct FeatureModel {
   const Feature* feature = nullptr;
   std::size_t column = 0;                 // in the feature table
-  std::vector<Likelihood> likelihoods;    // one a class
+  const std::vector<double>* errors = nullptr;
+  std::vector<Likelihood> likelihoods{};  // one a class
 };
+
+bool is_mean(const Knowledge& knowledge) { return knowledge.setting("combination", "product") == "mean"; }
 
 class Model {
  public:
   Model(const Knowledge& knowledge, const FeatureTable& table);
 
-  [[nodiscard]] std::vector<double> product(const std::vector<double>& values) const;
-  [[nodiscard]] std::vector<double> mean(const std::vector<double>& values) const;
+  [[nodiscard]] std::vector<double> product(std::size_t plane) const;
+  [[nodiscard]] std::vector<double> mean(std::size_t plane) const;
+  [[nodiscard]] double value(const FeatureModel& model, std::size_t plane) const { return table_.values[plane][model.column]; }
+  [[nodiscard]] static double error(const FeatureModel& model, std::size_t plane) { return model.errors == nullptr ? 0 : (*model.errors)[plane]; }
   [[nodiscard]] const std::vector<FeatureModel>& features() const { return features_; }
 
  private:
+  const FeatureTable& table_;
   std::vector<double> log_priors_;
   std::vector<FeatureModel> features_;  // used ones: weight above 0 and a column in the table
 };
@@ -87,14 +93,15 @@ std::map<std::string_view, OfFeature> rows_by_feature(const Knowledge& knowledge
   return out;
 }
 
-Model::Model(const Knowledge& knowledge, const FeatureTable& table) : log_priors_(log_priors(knowledge)) {
+Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(table), log_priors_(log_priors(knowledge)) {
   const double outlier_share = std::strtod(knowledge.setting("outlier_share", "0").c_str(), nullptr);
   const int fallback = knowledge.fallback_index();
   std::map<std::string_view, OfFeature> rows = rows_by_feature(knowledge);
   for (const Feature& feature : knowledge.features) {
     const auto column = std::find(table.names.begin(), table.names.end(), feature.name);
     if (column == table.names.end() || feature.weight <= 0) continue;
-    features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()), {}});
+    const auto errors = is_mean(knowledge) ? table.errors.end() : table.errors.find(feature.name);  // the paper knows none
+    features_.push_back({&feature, static_cast<std::size_t>(column - table.names.begin()), errors == table.errors.end() ? nullptr : &errors->second});
     OfFeature& of = rows.at(feature.name);
     for (auto& bins : of.bins) std::sort(bins.begin(), bins.end(), [](const ClassDensity* a, const ClassDensity* b) { return a->low < b->low; });
     for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
@@ -106,26 +113,26 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : log_priors
 }
 
 // Equation (3).
-std::vector<double> Model::product(const std::vector<double>& values) const {
+std::vector<double> Model::product(std::size_t plane) const {
   std::vector<double> logs = log_priors_;
   for (const FeatureModel& model : features_) {
-    const double value = values[model.column];
-    if (std::isnan(value)) continue;
-    const double scaled = on_scale(*model.feature, value);
-    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(value, scaled);
+    const double x = value(model, plane);
+    if (std::isnan(x)) continue;
+    const double scaled = on_scale(*model.feature, x), off = error(model, plane);
+    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(x, scaled, off);
   }
   return normalised(std::move(logs));
 }
 
 // Equation (4).
-std::vector<double> Model::mean(const std::vector<double>& values) const {
+std::vector<double> Model::mean(std::size_t plane) const {
   std::vector<double> sum(log_priors_.size(), 0.0);
   double weights = 0;
   for (const FeatureModel& model : features_) {
-    const double value = values[model.column];
-    if (std::isnan(value)) continue;
+    const double x = value(model, plane);
+    if (std::isnan(x)) continue;
     std::vector<double> logs = log_priors_;
-    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.likelihoods[c].log_density(value);
+    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.likelihoods[c].log_density(x);
     const std::vector<double> posterior = normalised(std::move(logs));
     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += model.feature->weight * posterior[c];
     weights += model.feature->weight;
@@ -148,9 +155,9 @@ std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const F
   std::vector<std::vector<double>> result;
   if (knowledge.classes.empty()) return std::vector<std::vector<double>>(features.values.size());
   const Model model(knowledge, features);
-  const bool mean = knowledge.setting("combination", "product") == "mean";
-  for (const std::vector<double>& values : features.values) {
-    result.push_back(mean ? model.mean(values) : model.product(values));
+  const bool mean = is_mean(knowledge);
+  for (std::size_t plane = 0; plane < features.values.size(); ++plane) {
+    result.push_back(mean ? model.mean(plane) : model.product(plane));
     keep_possible(result.back());
   }
   return result;
@@ -163,11 +170,11 @@ std::vector<std::vector<Contribution>> contributions(const Knowledge& knowledge,
   for (const auto& [plane, object_class] : entries) {
     std::vector<Contribution>& terms = result.emplace_back();
     for (const FeatureModel& f : model.features()) {
-      const double value = features.values[plane][f.column];
+      const double value = model.value(f, plane), error = Model::error(f, plane);
       if (std::isnan(value)) continue;
       const Likelihood& likelihood = f.likelihoods[object_class];
-      terms.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(), likelihood.log_density(value),
-                       f.feature->weight});
+      terms.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(),
+                       likelihood.log_density(value, on_scale(*f.feature, value), error), f.feature->weight, error});
     }
   }
   return result;

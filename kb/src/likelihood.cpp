@@ -50,20 +50,41 @@ Likelihood::Likelihood(const Feature& feature, const ClassFeature* gaussian, con
 }
 
 // Equation (1) in logarithms.
-double Likelihood::log_density(double value, double scaled) const {
-  const double own = log_own(value, scaled);
+double Likelihood::log_density(double value, double scaled, double error) const {
+  if (feature_->scale == Scale::circular) error = 0;
+  const double own = log_own(value, scaled, error);
   if (outlier_share_ <= 0) return own;
-  return log_add(log_inlier_share_ + own, log_outlier_share_ + log_outlier(scaled));
+  return log_add(log_inlier_share_ + own, log_outlier_share_ + log_outlier(scaled, error));
 }
 
-double Likelihood::log_outlier(double scaled) const {
+double Likelihood::log_outlier(double scaled, double error) const {
   if (std::isnan(tail_.sigma)) return log_uniform_;
-  return log_add(log_uniform_, tail_(scaled - tail_mean_)) - std::numbers::ln2;
+  const double far = scaled - tail_mean_;
+  return log_add(log_uniform_, error > 0 ? LogNormal(std::hypot(tail_.sigma, error))(far) : tail_(far)) - std::numbers::ln2;
 }
 
-double Likelihood::log_own(double value, double scaled) const {
-  if (!bins_.empty()) return log_histogram(value);
-  return std::isnan(sigma_) ? log_uniform_ : log_gaussian(scaled);
+double Likelihood::log_own(double value, double scaled, double error) const {
+  if (!bins_.empty()) return error > 0 ? log_blurred(scaled, error) : log_histogram(value);
+  if (std::isnan(sigma_)) return log_uniform_;
+  return error > 0 ? LogNormal(std::hypot(sigma_, error))(scaled - mean_) : log_gaussian(scaled);
+}
+
+// Each bin is a box, and a box seen through normal errors a difference of two normal distribution functions.
+double Likelihood::log_blurred(double scaled, double error) const {
+  const double low = on_scale(*feature_, feature_->low), high = low + range_on_scale(*feature_);
+  double sum = 0;
+  for (const double image : {scaled, 2 * low - scaled, 2 * high - scaled}) {
+    const auto below = [&](double bound) { return 0.5 * std::erfc((image - on_scale(*feature_, bound)) / (error * std::numbers::sqrt2)); };
+    if (image != scaled && std::min(std::abs(image - low), std::abs(image - high)) > 8 * error) continue;
+    double edge = std::numeric_limits<double>::quiet_NaN(), share = 0;  // of the bin before
+    for (const Bin& bin : bins_) {
+      const double from = bin.low == edge ? share : below(bin.low);
+      edge = bin.high;
+      share = below(edge);
+      sum += std::exp(bin.log_density) * (share - from);
+    }
+  }
+  return std::log(std::max(sum, std::exp(log_uniform_ + kLogDensityFloor)));
 }
 
 // On a circle of circumference T the normal density is wrapped: p(x) = Σ_k N(x + kT; μ, σ).   (2)

@@ -33,15 +33,17 @@ class Likelihood {
   Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share);
 
   [[nodiscard]] double log_density(double value) const { return log_density(value, on_scale(*feature_, value)); }
-  /// The same for callers that ask many classes about one value: `scaled` = on_scale(feature, value).
-  [[nodiscard]] double log_density(double value, double scaled) const;
+  /// The same for callers that ask many classes about one value: `scaled` = on_scale(feature, value). `error` ≥ 0: standard
+  /// error of the value on the scale, which every part of the density is convolved with (a histogram is folded back at the ends of the
+  /// feature's range, since a tilt of −3° is one of 3°; a density on a circle takes no errors).
+  [[nodiscard]] double log_density(double value, double scaled, double error = 0) const;
   /// NaN where no Gaussian decides.
   [[nodiscard]] double mean() const { return mean_; }
   [[nodiscard]] double sigma() const { return sigma_; }
 
  private:
   struct Bin {
-    double low, high, log_density;
+    double low, high, log_density;  ///< bounds in the feature's unit
   };
   /// ln N(μ + distance; μ, σ), the constant part of the logarithm computed once.
   struct LogNormal {
@@ -51,8 +53,9 @@ class Likelihood {
     [[nodiscard]] double operator()(double distance) const;
   };
 
-  [[nodiscard]] double log_own(double value, double scaled) const;
-  [[nodiscard]] double log_outlier(double scaled) const;
+  [[nodiscard]] double log_own(double value, double scaled, double error) const;
+  [[nodiscard]] double log_outlier(double scaled, double error) const;
+  [[nodiscard]] double log_blurred(double scaled, double error) const;
   [[nodiscard]] double log_gaussian(double scaled) const;
   [[nodiscard]] double log_histogram(double value) const;
 

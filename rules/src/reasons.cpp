@@ -23,10 +23,11 @@ const kb::Feature* find_feature(const kb::Knowledge& knowledge, const std::strin
   return found == knowledge.features.end() ? nullptr : &*found;
 }
 
-/// "height 0.74 m (typical 0.73)": μ on a log scale is that of ln x.
-std::string describe_feature(const kb::Knowledge& knowledge, const kb::Reason::Term& c) {
+/// "tilt_deg 6.3 ± 4.2 deg (typical 0.77 ± 0.63)": the value and its standard error, then the class's. μ on a log scale is that of ln x.
+std::string describe_feature(const kb::Knowledge& knowledge, const FeatureReason& reason) {
+  const kb::Reason::Term& c = reason.term;
   const kb::Feature* feature = find_feature(knowledge, c.feature);
-  std::string out = c.feature + " " + number(c.value, 2);
+  std::string out = c.feature + " " + number(c.value, 2) + (reason.error >= 0.05 ? " ± " + number(reason.error, 1) : "");
   if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out += " " + feature->unit;
   if (std::isnan(c.mean)) return out;
   const bool log = feature != nullptr && feature->scale == kb::Scale::log;
@@ -82,7 +83,7 @@ std::vector<FeatureReason> compared(const std::vector<kb::Contribution>& mine, c
   std::vector<FeatureReason> out;
   for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
     out.push_back({{mine[i].feature, mine[i].value, mine[i].mean, mine[i].sigma},
-                   mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood)});
+                   mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), mine[i].error});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const FeatureReason& a, const FeatureReason& b) { return std::abs(a.gain) > std::abs(b.gain); });
@@ -104,7 +105,7 @@ std::vector<kb::Reason> feature_reasons(const Case& about, int plane, int object
   const std::string &mine = about.class_name(object_class), &theirs = about.class_name(against);
   for (const FeatureReason& reason : compared(terms[0], terms[1])) {
     out.push_back({.plane = about.id(plane), .object_class = mine, .kind = "feature", .amount = reason.gain,
-                   .sentence = feature_sentence(describe_feature(about.knowledge, reason.term), reason.gain, mine, theirs),
+                   .sentence = feature_sentence(describe_feature(about.knowledge, reason), reason.gain, mine, theirs),
                    .term = reason.term, .against = theirs});
   }
   return out;
@@ -171,7 +172,7 @@ void Reasoner::add_evidence(int plane) {
   const std::vector<FeatureReason> strongest =
       mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
   std::vector<std::string> described;
-  for (const FeatureReason& reason : strongest) described.push_back(describe_feature(about_.knowledge, reason.term));
+  for (const FeatureReason& reason : strongest) described.push_back(describe_feature(about_.knowledge, reason));
   add(plane, "evidence", amount, sentence + strongest_features(strongest, described));
   if (rival < 0) return;
   const std::string &mine = about_.class_name(object_class), &theirs = about_.class_name(rival);

@@ -12,6 +12,7 @@ namespace scenelore::rules {
 struct FeatureReason {
   kb::Reason::Term term;
   double gain = 0;  ///< nats for the class against the other one, weighted
+  double error = 0;  ///< standard error of the value
 };
 
 /// Reads the best world and the worlds in which each plane is something else.

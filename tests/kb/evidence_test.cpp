@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <vector>
+
+#include "scenelore/kb/knowledge_base.hpp"
 
 namespace scenelore::kb {
 namespace {
@@ -117,6 +122,59 @@ TEST(Preclassify, ReadsHistogramsInsteadOfGaussians) {
     EXPECT_NEAR(c.log_likelihood, std::log(expected[i]), 1e-12) << i;
     EXPECT_TRUE(std::isnan(c.mean));
   }
+}
+
+/// ∫ density(t) N(x; t, error²) dt over the range of "height", with what errors carry beyond its ends folded back.
+double seen_through(double x, double error, const std::function<double(double)>& density) {
+  double sum = 0;
+  constexpr int kSteps = 400'000;
+  constexpr double kLow = 0, kHigh = 4, kStep = (kHigh - kLow) / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = kLow + (i + 0.5) * kStep;
+    for (const double image : {x, 2 * kLow - x, 2 * kHigh - x}) sum += density(t) * normal(image, t, error) * kStep;
+  }
+  return sum;
+}
+
+TEST(Preclassify, SeesHistogramsThroughTheErrorOfAValue) {
+  Knowledge k = small();
+  k.class_densities = {{"a", "height", 0, 1, 0.2}, {"a", "height", 1, 1.5, 1.2}, {"a", "height", 2, 2.5, 0.4}};
+  const auto density = [](double t) { return t < 1 ? 0.2 : t < 1.5 ? 1.2 : t >= 2 && t < 2.5 ? 0.4 : 0; };
+  for (const double error : {0.02, 0.3, 1.5}) {
+    for (const double x : {0.0, 0.1, 0.99, 1.7, 3.1}) {
+      const double expected = std::max(seen_through(x, error, density), 0.25e-6);
+      const Contribution c = contributions(k, {{"height"}, {{x}}, {{"height", {error}}}}, 0, 1)[0];
+      EXPECT_NEAR(std::exp(c.log_likelihood), expected, 1e-5) << x << " with " << error;
+      EXPECT_EQ(c.error, error);
+    }
+  }
+}
+
+TEST(Preclassify, WidensGaussiansAndOutliersByTheErrorOfAValue) {
+  Knowledge k = small();
+  k.settings["outlier_share"] = "0.1";
+  const FeatureTable table{{"height"}, {{1.1}, {1.1}}, {{"height", {0, 0.5}}}};
+  const double wide = std::hypot(0.2, 0.5), tail = std::hypot(0.8, 0.5);
+  EXPECT_NEAR(std::exp(contributions(k, table, 0, 1)[0].log_likelihood), 0.9 * normal(1.1, 1, 0.2) + 0.1 * (0.25 + normal(1.1, 1, 0.8)) / 2, 1e-12);
+  EXPECT_NEAR(std::exp(contributions(k, table, 1, 1)[0].log_likelihood), 0.9 * normal(1.1, 1, wide) + 0.1 * (0.25 + normal(1.1, 1, tail)) / 2, 1e-12);
+  EXPECT_LT(preclassify(k, table)[1][1], preclassify(k, table)[0][1]) << "a value that is not known well says less";
+}
+
+StoredPlane tilted(double tilt_deg, double area_m2) {
+  StoredPlane stored;
+  stored.plane.tilt_deg = tilt_deg;
+  stored.plane.area_m2 = area_m2;
+  return stored;
+}
+
+TEST(Stray, IsHowFarLargePlanesAreFromLevelOrUpright) {
+  std::vector<StoredPlane> planes = {tilted(1, 4), tilted(88, 1), tilted(3, 1), tilted(86, 1), tilted(30, 9), tilted(7, 0.01)};
+  EXPECT_NEAR(stray_deg(planes), 3 / 1.2816, 1e-12);  // weights 2, 1, 1, 1: 80 % is at the fourth of five
+  std::reverse(planes.begin(), planes.end());
+  EXPECT_NEAR(stray_deg(planes), 3 / 1.2816, 1e-12);
+  EXPECT_EQ(stray_deg({tilted(1, 4), tilted(88, 1), tilted(3, 1)}), 0.3) << "too few to say";
+  EXPECT_EQ(stray_deg(std::vector<StoredPlane>(5, tilted(0.1, 1))), 0.3) << "as true as it can be built";
+  EXPECT_EQ(built_in_features({}, planes).errors.at("tilt_deg"), std::vector<double>(6, 3 / 1.2816));
 }
 
 TEST(Preclassify, MixesInTheShareOfOutliers) {

@@ -48,6 +48,7 @@ rules::KnownAnswers known_about(const kb::KnowledgeBase& base, const kb::Scan& s
 Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::Knowledge knowledge, rules::Scene scene,
                        rules::RuleAnswers answers) {
   Situation situation{.knowledge = std::move(knowledge), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
+  answers.table.errors = std::move(situation.scene.features.errors);  // rule files add values, and know no errors
   situation.scene.features = std::move(answers.table);
   situation.knowledge = rules::with_tuple_constraints(std::move(situation.knowledge), situation.facts);
   situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);

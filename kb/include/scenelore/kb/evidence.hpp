@@ -1,6 +1,7 @@
 // Pre-classification: P(C|Φ) of each plane from the Gaussians and densities of the knowledge base.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@ namespace scenelore::kb {
 struct FeatureTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;  ///< [plane][feature]
+  /// By feature, one a plane: standard error of its value on the feature's scale. Features that are missing have none.
+  std::map<std::string, std::vector<double>> errors;
 };
 
 /// No class gets less than this, so that −ln P stays finite (27.6 nats): evidence alone rules nothing out.
@@ -25,6 +28,7 @@ struct Contribution {
   double mean = 0, sigma = 0;   ///< of the class; NaN where a density or uniform stands instead
   double log_likelihood = 0;    ///< ln p(x|C), per unit of the feature's scale
   double weight = 0;            ///< F_i
+  double error = 0;             ///< standard error of the value
 };
 
 /// [plane][class], each row sums to one. Setting `combination`:
@@ -33,8 +37,9 @@ struct Contribution {
 /// Densities are per unit of the feature's scale: a histogram (class_density), else a Gaussian (class_feature), else
 /// what stands for the fallback class, and for that uniform over the feature's range: a feature that a class has no row for
 /// speaks neither for it nor against it, compared with the fallback class. Setting `outlier_share` ε (0 without a row) mixes in what
-/// odd values follow, half uniform and half the class's Gaussian at four times its width (likelihood.hpp, (1)). Outside all its bins a histogram counts as 1e-6 u. Features of weight 0, features
-/// that the table lacks and NaN values are left out. Without any known feature P(C|Φ) is the prior.
+/// odd values follow, half uniform and half the class's Gaussian at four times its width (likelihood.hpp, (1)). Outside all its bins a histogram counts as 1e-6 u. With
+/// `product` a value that has a standard error is judged by the class's density as it looks through errors of that size:
+/// p(x|C) = ∫ p(t|C) N(x; t, error²) dt. Features of weight 0, features that the table lacks and NaN values are left out. Without any known feature P(C|Φ) is the prior.
 [[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features);
 
 /// The terms behind one entry of preclassify, in the order of the knowledge's features; those left out are left out.
