@@ -26,6 +26,13 @@ template <typename T>
 constexpr bool is_number_v = std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, std::uint64_t> ||
                              std::is_same_v<T, std::optional<double>> || std::is_same_v<T, std::optional<int>>;
 
+/// Says "INT in [1 - 16]" of whole numbers, and "FLOAT in …" of others.
+template <typename T>
+CLI::Range range(double low, double high) {
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) return {low, high};
+  else return {static_cast<long long>(low), static_cast<long long>(high)};
+}
+
 void add_argument(CLI::App& app, const Argument& argument) {
   std::visit(
       [&](auto* target) {
@@ -37,7 +44,7 @@ void add_argument(CLI::App& app, const Argument& argument) {
           option = app.add_option(argument.name, *target, argument.help);
           option->type_name(argument.unit);
           if constexpr (is_number_v<Value>) {
-            if (argument.low && argument.high) option->check(CLI::Range(*argument.low, *argument.high));
+            if (argument.low && argument.high) option->check(range<Value>(*argument.low, *argument.high));
           }
           if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, int> || std::is_same_v<Value, std::uint64_t>) {
             option->capture_default_str();
