@@ -42,7 +42,7 @@ struct SolverOptions {
   Observer* observer = nullptr;
   /// Nodes whose open variables hang together loosely are finished by dynamic programming. False: by branches, like others.
   bool elimination = true;
-  /// Labels that another one can replace in every world, always for less, go before the search for the optimum. False: they stay.
+  /// Labels that another one can replace in every world, always for less, leave the root of a long search for the optimum. False: they stay.
   bool dominance = true;
 };
 
