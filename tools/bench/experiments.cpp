@@ -30,7 +30,7 @@ struct Lab {
   rules::RuleSet rules = rules::RuleSet::load();
   kb::Knowledge paper = experiment::knowledge_pack("paper"), office = experiment::knowledge_pack("office");
   int sets = 2;
-  std::uint64_t first_seed = 9501;
+  std::uint64_t first_seed = 9601;
   std::string report;
 
   /// Of both packs.
