@@ -120,16 +120,27 @@ Scene seen_desks(const Eigen::Vector3d& eye, double noise, std::uint64_t seed) {
   return scene;
 }
 
-TEST(LookPast, KnowsTheNotchButNotWhatAScreenHides) {
-  const Eigen::Vector3d eye(0.8, -1.5, 1.5);
-  const Scene scene = seen_desks(eye, 0, 3);
+struct Tops {
+  std::vector<std::uint32_t> points;
+  PlaneFit plane;
+  PlaneView view;
+};
+
+/// The points on desks as one plane, and its cells.
+Tops tops_of(const Scene& scene) {
   std::vector<std::uint32_t> points;
   Moments moments;
   for (std::uint32_t i = 0; i < scene.cloud.size(); ++i) {
     if (scene.truth[i] > 0) points.push_back(i), moments.add(scene.cloud.offset(i).cast<double>());
   }
   const PlaneFit plane = fit_plane(moments);
-  PlaneView view = view_of(scene.cloud, plane, points, kEdge);
+  return {points, plane, view_of(scene.cloud, plane, points, kEdge)};
+}
+
+TEST(LookPast, KnowsTheNotchButNotWhatAScreenHides) {
+  const Eigen::Vector3d eye(0.8, -1.5, 1.5);
+  const Scene scene = seen_desks(eye, 0, 3);
+  auto [points, plane, view] = tops_of(scene);
   EXPECT_EQ(std::accumulate(view.points.begin(), view.points.end(), std::size_t{0}), points.size());
   EXPECT_TRUE(view.empty.empty());
   look_past(scene.cloud, plane, kEdge, view);
@@ -157,13 +168,7 @@ TEST(LookPast, KnowsTheNotchButNotWhatAScreenHides) {
 
 TEST(LookPast, SeesNothingPastAPlaneItLiesIn) {
   Scene scene = seen_desks({0.8, -1.5, 1.5}, 0, 3);
-  std::vector<std::uint32_t> points;
-  Moments moments;
-  for (std::uint32_t i = 0; i < scene.cloud.size(); ++i) {
-    if (scene.truth[i] > 0) points.push_back(i), moments.add(scene.cloud.offset(i).cast<double>());
-  }
-  const PlaneFit plane = fit_plane(moments);
-  PlaneView view = view_of(scene.cloud, plane, points, kEdge);
+  auto [points, plane, view] = tops_of(scene);
   scene.cloud.viewpoint = Eigen::Vector3d(-2, 0, 0.75);
   look_past(scene.cloud, plane, kEdge, view);
   EXPECT_TRUE(view.empty.empty());
