@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "fact_inputs.hpp"
+#include "kept_geometry.hpp"
 #include "lua_files.hpp"
 #include "names.hpp"
 #include "rule_file.hpp"
@@ -303,33 +304,6 @@ void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, Kept
     keep(kept, rule, *file, digest, std::move(answers));
   }
 }
-
-namespace {
-
-/// Geometry of the scene that remembers an earlier run's answers, when they are about the same planes.
-class KeptGeometry {
- public:
-  KeptGeometry(const Scene& scene, const SceneDigest& digest) : inputs_(fact_inputs({}, {}, digest.planes())), geometry_(scene.planes) {}
-
-  /// The answers are taken over when the geometry is first needed.
-  PairGeometry& with(const kb::StoredGeometry& known) {
-    if (!taken_ && known.inputs_sha256 == inputs_) geometry_.remember(known.answers);
-    taken_ = true;
-    return geometry_;
-  }
-  /// What to keep for the next run: `known` itself where nothing came to it.
-  [[nodiscard]] kb::StoredGeometry kept(const kb::StoredGeometry& known) const {
-    if (geometry_.has_news()) return {inputs_, geometry_.answers()};
-    return known.inputs_sha256 == inputs_ ? known : kb::StoredGeometry{};
-  }
-
- private:
-  std::string inputs_;
-  PairGeometry geometry_;
-  bool taken_ = false;
-};
-
-}  // namespace
 
 namespace {
 
