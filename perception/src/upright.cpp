@@ -18,6 +18,9 @@ constexpr double kGate = 3 * kDegree;          // planes that agree with a direc
 constexpr double kTrusted = 0.8;               // of the best direction's support: the file's z is kept
 constexpr double kWallWeight = 0.5;            // walls bind one angle of two
 constexpr double kSmallest = 0.05;             // m², planes smaller than this say little about up
+constexpr double kFullSay = 1;                 // m², from about here on a plane's own accuracy matters less than its neighbours' bends
+constexpr double kSlanted = 10 * kDegree;      // neither level nor upright, in any scan
+constexpr double kFinest = 0.3 * kDegree, kCoarsest = 2 * kDegree;  // how much planes of a scan differ, at least and at most
 
 double weight_of(const PlaneFit& plane) { return std::min(plane.spread_area(), 20.0); }
 
@@ -62,39 +65,83 @@ struct Estimate {
   double share = 0;        ///< of the area of all planes that agrees
 };
 
-/// Least squares over the planes that agree: up maximises Σ w (n·up)² over level planes and minimises it over walls.
-Estimate refined(std::span<const PlaneFit> planes, Eigen::Vector3d up) {
-  Estimate result;
-  for (int round = 0; round < 3; ++round) {
-    Eigen::Matrix3d cost = Eigen::Matrix3d::Zero();
-    double squares = 0, weights = 0, all = 0, agreeing = 0, weight_squares = 0;
-    result.level = result.walls = 0;
-    for (const PlaneFit& plane : planes) {
-      if (plane.spread_area() < kSmallest) continue;
-      const double c = std::abs(plane.normal.dot(up)), area = weight_of(plane);
-      const bool level = c > std::cos(kGate), wall = c < std::sin(kGate);
-      all += area;
-      if (!level && !wall) continue;
-      // Long planes have exact normals: their angle is known to about rmse / (extent √n), which area stands for here.
-      const double w = (level ? 1 : kWallWeight) * area;
-      cost += level ? Eigen::Matrix3d(w * (Eigen::Matrix3d::Identity() - plane.normal * plane.normal.transpose()))
-                    : Eigen::Matrix3d(w * plane.normal * plane.normal.transpose());
-      const double angle = level ? std::acos(std::min(1.0, c)) : std::asin(c);
-      squares += w * angle * angle;
-      weights += w;
-      weight_squares += w * w;
-      agreeing += area;
-      ++(level ? result.level : result.walls);
-    }
-    if (weights <= 0) break;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cost);
-    up = solver.eigenvectors().col(0);
-    if (up.z() < 0) up = -up;
-    const double effective = weights * weights / weight_squares;  // number of planes that count
-    result.uncertainty = std::sqrt(squares / weights / effective) + 0.1 * kDegree;
-    result.share = agreeing / all;
+/// A plane held against a direction.
+struct Vote {
+  const PlaneFit* plane = nullptr;
+  bool level = false;  ///< nearer to level than to upright
+  double angle = 0;    ///< radians off level, or off upright
+  double weight = 0;   ///< 0 for what is neither
+};
+
+/// What a plane's word is worth: sizes count up to a square metre or so. The walls of a room differ from each other by how they
+/// were built and by how the sensor bends space, in which a large one is as wrong as a small one (the weights of a random
+/// effects model, DerSimonian & Laird 1986, with a plane's own variance as the inverse of its area).
+double say_of(const PlaneFit& plane) { return plane.spread_area() / (plane.spread_area() + kFullSay); }
+
+std::vector<Vote> votes(std::span<const PlaneFit> planes, const Eigen::Vector3d& up) {
+  std::vector<Vote> result;
+  for (const PlaneFit& plane : planes) {
+    if (plane.spread_area() < kSmallest) continue;
+    const double c = std::min(1.0, std::abs(plane.normal.dot(up)));
+    const bool level = c > std::numbers::sqrt2 / 2;
+    const double angle = level ? std::acos(c) : std::asin(c);
+    result.push_back({&plane, level, angle, angle > kSlanted ? 0 : (level ? 1 : kWallWeight) * say_of(plane)});
   }
-  result.up = up;
+  return result;
+}
+
+/// Half of the votes lie within this angle. 0 without votes.
+double median_angle(std::vector<Vote> votes) {
+  std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.angle < b.angle; });
+  double whole = 0, sum = 0;
+  for (const Vote& vote : votes) whole += vote.weight;
+  for (const Vote& vote : votes) {
+    sum += vote.weight;
+    if (whole > 0 && sum >= whole / 2) return vote.angle;
+  }
+  return 0;
+}
+
+/// up maximises Σ w (n·up)² over level planes and minimises it over walls, with w of Cauchy's M-estimator: a plane that is off
+/// by more than planes of this scan mostly are counts little, but in a scan bent by degrees no one plane decides alone.
+/// Iteratively reweighted least squares (Holland & Welsch 1977: 2.385 for 95 % efficiency, scale from the median).
+Eigen::Vector3d reweighted(std::span<const PlaneFit> planes, Eigen::Vector3d up) {
+  for (int round = 0; round < 50; ++round) {
+    const std::vector<Vote> all = votes(planes, up);
+    const double scale = std::clamp(2.385 * 1.4826 * median_angle(all), kFinest, kCoarsest);
+    Eigen::Matrix3d cost = Eigen::Matrix3d::Zero();
+    for (const Vote& vote : all) {
+      const double w = vote.weight / (1 + vote.angle * vote.angle / (scale * scale));
+      const Eigen::Matrix3d along = vote.plane->normal * vote.plane->normal.transpose();
+      cost += w * (vote.level ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() - along) : along);
+    }
+    if (cost.isZero(0)) return up;
+    Eigen::Vector3d next = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(cost).eigenvectors().col(0);
+    if (next.dot(up) < 0) next = -next;
+    const bool settled = (next - up).norm() < 1e-7;
+    up = next;
+    if (settled) break;
+  }
+  return up.z() < 0 ? Eigen::Vector3d(-up) : up;
+}
+
+Estimate refined(std::span<const PlaneFit> planes, const Eigen::Vector3d& up) {
+  Estimate result{.up = reweighted(planes, up)};
+  double squares = 0, weights = 0, weight_squares = 0, all = 0, agreeing = 0;
+  for (const Vote& vote : votes(planes, result.up)) {
+    const double area = weight_of(*vote.plane);
+    all += area;
+    if (vote.angle > kGate) continue;
+    squares += vote.weight * vote.angle * vote.angle;
+    weights += vote.weight;
+    weight_squares += vote.weight * vote.weight;
+    agreeing += area;
+    ++(vote.level ? result.level : result.walls);
+  }
+  if (weights <= 0) return result;
+  const double effective = weights * weights / weight_squares;  // number of planes that count
+  result.uncertainty = std::sqrt(squares / weights / effective) + 0.1 * kDegree;
+  result.share = agreeing / all;
   return result;
 }
 
@@ -124,7 +171,7 @@ Floor find_floor(const Cloud& cloud, std::span<const PlaneFit> planes, const Eig
   std::vector<std::pair<double, double>> levels;  // height, area
   double largest = 0;
   for (const PlaneFit& plane : planes) {
-    if (std::abs(plane.normal.dot(up)) < std::cos(6 * kDegree) || plane.spread_area() < 0.3) continue;
+    if (std::abs(plane.normal.dot(up)) < std::cos(kSlanted) || plane.spread_area() < 0.3) continue;
     const double z = up.dot(cloud.origin + plane.centroid);
     // Under a floor there are stray points at most; under a ceiling there is the room.
     if (below(z - 0.25) > 0.05 || below(z + 0.25) > 0.9) continue;

@@ -150,6 +150,45 @@ TEST(EstimateUpright, PutsATiltedScanRight) {
   }
 }
 
+/// A rectangle as a plane fit knows it.
+PlaneFit fit_of(const Vector& centre, const Vector& normal, double length, double width) {
+  PlaneFit plane;
+  plane.centroid = centre;
+  plane.normal = normal.normalized();
+  plane.offset = plane.normal.dot(centre);
+  plane.variances = {0, width * width / 12, length * length / 12};
+  return plane;
+}
+
+TEST(EstimateUpright, LetsNoOnePlaneDecideInAScanThatIsBent) {
+  // A depth camera that bends space: the desk, a shelf and three walls agree, the floor, which suits the file's z, is 6 degrees off.
+  const Vector up = Eigen::AngleAxisd(6 * std::numbers::pi / 180, Vector::UnitX()) * Vector::UnitZ();
+  const Vector along = Vector::UnitX(), across = up.cross(along);
+  const std::vector<PlaneFit> planes = {fit_of({0, 2, 1}, across, 2.5, 2), fit_of({0, -2, 1}, -across, 2, 1.5), fit_of({2, 0, 1}, along, 2, 2),
+                                        fit_of({0, 0, 0}, Vector::UnitZ(), 1.5, 1.2), fit_of({1, 0, 0.8}, up, 1.2, 0.5),
+                                        fit_of({-1, 0, 1.9}, up, 0.8, 0.4)};
+  Scene scene;
+  for (const PlaneFit& plane : planes) scene.add(plane.centroid, 0);
+  const Vector found = estimate_upright(scene.cloud, planes).rotation.inverse() * Vector::UnitZ();
+  EXPECT_LT(std::acos(std::min(1.0, found.dot(up))) * 180 / std::numbers::pi, 2) << "nearer to what most say than to the floor";
+}
+
+TEST(EstimateUpright, IsNotMovedByWhatSlants) {
+  // A pin board leaning by 9 degrees and a roof of 35 against five planes that are upright to a tenth of a degree.
+  const Vector leaning = Eigen::AngleAxisd(9 * std::numbers::pi / 180, Vector::UnitX()) * Vector::UnitY();
+  const Vector roof = Eigen::AngleAxisd(35 * std::numbers::pi / 180, Vector::UnitY()) * Vector::UnitZ();
+  const Vector tilted = Eigen::AngleAxisd(4 * std::numbers::pi / 180, Vector(1, 1, 0).normalized()) * Vector::UnitZ();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector::UnitZ(), tilted);
+  const auto turned = [&](const Vector& centre, const Vector& normal, double length, double width) { return fit_of(centre, turn * normal, length, width); };
+  const std::vector<PlaneFit> planes = {turned({0, 0, 0}, Vector::UnitZ(), 4, 3),   turned({0, 1.5, 1.2}, -Vector::UnitY(), 4, 2.5),
+                                        turned({2, 0, 1.2}, -Vector::UnitX(), 3, 2.5), turned({0, -1.5, 1.2}, Vector::UnitY(), 4, 2.5),
+                                        turned({0, 1.4, 1.2}, leaning, 3, 1.5),        turned({0, 0, 2.6}, roof, 4, 3)};
+  Scene scene;
+  for (const PlaneFit& plane : planes) scene.add(plane.centroid, 0);
+  const Vector found = estimate_upright(scene.cloud, planes).rotation.inverse() * Vector::UnitZ();
+  EXPECT_LT(std::acos(std::min(1.0, found.dot(tilted))) * 180 / std::numbers::pi, 0.1);
+}
+
 /// Two walls from z = `low` upwards.
 Perception perceive_walls(double low) {
   Scene scene;

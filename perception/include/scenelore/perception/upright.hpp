@@ -22,8 +22,9 @@ struct Upright {
 
 /// Looks for the direction within 35 degrees of the file's z axis that most of the area of `planes` (in the cloud's
 /// offsets) is at right angles to (floors, tables, ceilings) or parallel to (walls); where z does nearly as well, z is
-/// kept. An estimate that differs from z by no more than its own uncertainty counts as z. `up` and `floor_z` replace the
-/// estimates; `floor_z` is a level along up.
+/// the start. Planes within 10 degrees of level or upright settle it, weighed by how far planes of this scan differ. An
+/// estimate that differs from z by no more than its own uncertainty counts as z. `up` and `floor_z` replace the estimates;
+/// `floor_z` is a level along up.
 [[nodiscard]] Upright estimate_upright(const Cloud& cloud, std::span<const PlaneFit> planes,
                                        const std::optional<Eigen::Vector3d>& up = {}, const std::optional<double>& floor_z = {});
 
