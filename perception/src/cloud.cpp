@@ -36,11 +36,6 @@ Axes coordinate_columns(const PointTable& table, const std::string& source_name)
   return axes;
 }
 
-double value_at(const RowSource& rows, const Column& column, std::size_t row) {
-  const std::byte* const at = rows.bytes + row * rows.table.stride + column.offset;
-  return with_type(column.type, [&](auto zero) { return static_cast<double>(load<decltype(zero)>(at)); });
-}
-
 /// The median coordinate of each axis, over the finite ones of some thousand rows spread evenly: a few wild points far
 /// off must not move it. Zero where nothing is finite.
 Eigen::Vector3d typical_position(const RowSource& rows, const Axes& axes) {
@@ -108,7 +103,6 @@ Cloud to_cloud(const RowSource& rows, const std::string& source_name, int thread
   const Axes axes = coordinate_columns(table, source_name);
   if (table.rows == 0) throw Error(source_name + " holds no points");
   Cloud cloud;
-  cloud.viewpoint = table.viewpoint;
   cloud.origin = choose_origin(rows, axes);
   for (auto* values : {&cloud.x, &cloud.y, &cloud.z}) values->resize(table.rows);
   const ScalarType type = axes[0]->type;
@@ -132,6 +126,7 @@ Cloud to_cloud(const RowSource& rows, const std::string& source_name, int thread
   if (cloud.invalid == cloud.size()) {
     throw Error(source_name + ": none of the " + std::to_string(table.rows) + " points has finite coordinates");
   }
+  cloud.sensors = sensors_of(rows, cloud, source_name);
   return cloud;
 }
 

@@ -5,6 +5,7 @@
 #include "cell_index.hpp"
 #include "scenelore/perception/features.hpp"
 #include "scenelore/perception/hull.hpp"
+#include "seen_from.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -19,11 +20,9 @@ struct Frame {
 };
 
 /// Towards the sensor where that is known; else to the upper half space, of vertical planes towards +x, then +y.
-Eigen::Vector3d oriented(const Eigen::Vector3d& normal, const Eigen::Vector3d& centroid, const Cloud& cloud, const Upright& upright) {
-  if (cloud.viewpoint) {
-    const double side = normal.dot(*cloud.viewpoint - cloud.origin - centroid);
-    if (side != 0) return side > 0 ? normal : Eigen::Vector3d(-normal);
-  }
+Eigen::Vector3d oriented(const PlaneFit& fit, std::span<const std::uint32_t> points, const Cloud& cloud, const Upright& upright) {
+  const Eigen::Vector3d& normal = fit.normal;
+  if (const std::optional<bool> front = seen_from_front(cloud, fit, points)) return *front ? normal : Eigen::Vector3d(-normal);
   const Eigen::Vector3d up = upright.rotation * normal;
   for (const int axis : {2, 0, 1}) {
     if (std::abs(up[axis]) > 1e-3) return up[axis] > 0 ? normal : Eigen::Vector3d(-normal);
@@ -105,7 +104,7 @@ Plane describe(const Cloud& cloud, std::span<const std::uint32_t> points, const 
   Plane plane;
   plane.point_count = points.size();
   plane.rmse = fit.rmse();
-  plane.normal = oriented(fit.normal, fit.centroid, cloud, upright);
+  plane.normal = oriented(fit, points, cloud, upright);
   const Frame frame = make_frame(fit, plane.normal);
   plane.centroid = cloud.origin + fit.centroid;
   plane.orientation = Eigen::Quaterniond(frame.axes).normalized();

@@ -19,7 +19,7 @@ constexpr double kBehind = 0.05;                  // metres, thicker than the ed
 /// The cells of a plane's parts. What the sensor saw past the plane is stronger evidence than how well rectangles are
 /// filled, since it does not take shadows for notches; only level planes are seen past on all sides.
 std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up, PlaneView& view) {
-  if (cloud.viewpoint && std::abs(plane.normal.dot(up)) > kLevel) {
+  if (cloud.sensors.known() && std::abs(plane.normal.dot(up)) > kLevel) {
     look_past(cloud, plane, kBehind, view);
     auto parts = part_into_rectangles(view);
     if (parts.size() > 1) return parts;

@@ -38,7 +38,7 @@ PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::i
   sample.points.reserve(count);
   for (const auto& some : chosen) sample.points.insert(sample.points.end(), some.begin(), some.end());
   sample.cloud.origin = cloud.origin;
-  sample.cloud.viewpoint = cloud.viewpoint;
+  sample.cloud.sensors = cloud.sensors.of_points(sample.points);
   sample.voxels.of_point.resize(count);
   for (auto* axis : {&sample.cloud.x, &sample.cloud.y, &sample.cloud.z}) axis->resize(count);
   parallel_pieces(count, kPiece, threads, [&](std::size_t begin, std::size_t end) {

@@ -1,5 +1,6 @@
 #include "seen_past.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cell_index.hpp"
@@ -11,6 +12,25 @@ namespace {
 Eigen::Array2d cell_at(const PlaneFit& plane, double edge, const Eigen::Vector3d& p) {
   const Eigen::Vector3d d = p - plane.centroid;
   return {std::floor(plane.axes.col(1).dot(d) / edge), std::floor(plane.axes.col(2).dot(d) / edge)};
+}
+
+/// A place where the sensor stood, in the cloud's offsets.
+struct Eye {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  double before = 0;  ///< metres to the plane
+  double away = 0;    ///< the side of the plane that it looks to, as distances from the plane tell sides; 0 = sees nothing past it
+};
+
+/// By number of the position; at last the one that is not known.
+std::vector<Eye> eyes_of(const Cloud& cloud, const PlaneFit& plane, double behind) {
+  std::vector<Eye> eyes;
+  for (const Eigen::Vector3d& position : cloud.sensors.positions()) {
+    const Eigen::Vector3d at = position - cloud.origin;
+    const double over = plane.distance(at);
+    eyes.push_back({at, std::abs(over), std::abs(over) < 2 * behind ? 0.0 : over > 0 ? -1.0 : 1.0});
+  }
+  eyes.emplace_back();
+  return eyes;
 }
 
 Eigen::Vector2d middle_of(const Eigen::Vector2i& cell, double edge) { return (cell.cast<double>().array() + 0.5) * edge; }
@@ -36,22 +56,22 @@ PlaneView view_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<s
 }
 
 void look_past(const Cloud& cloud, const PlaneFit& plane, double behind, PlaneView& view) {
-  const Eigen::Vector3d sensor = *cloud.viewpoint - cloud.origin;
-  const double side = plane.distance(sensor) > 0 ? 1 : -1, before = std::abs(plane.distance(sensor));
-  if (before < 2 * behind || view.held.empty()) return;
+  const std::vector<Eye> eyes = eyes_of(cloud, plane, behind);
+  if (view.held.empty() || std::none_of(eyes.begin(), eyes.end(), [](const Eye& eye) { return eye.away != 0; })) return;
   Eigen::Array2d low = view.held.front(), high = low;
   for (const Eigen::Vector2d& cell : view.held) low = low.min(cell.array()), high = high.max(cell.array());
   const Eigen::Array2i first = (low / view.edge).floor().cast<int>(), size = (high / view.edge).floor().cast<int>() - first + 1;
   const auto index = [&](const Eigen::Array2i& c) { return static_cast<std::size_t>(c.y()) * static_cast<std::size_t>(size.x()) + static_cast<std::size_t>(c.x()); };
   std::vector<int> own(static_cast<std::size_t>(size.prod()), 0), passed = own;
   for (std::size_t c = 0; c < view.held.size(); ++c) own[index((view.held[c].array() / view.edge).floor().cast<int>() - first)] = view.points[c];
-  const Eigen::Vector3d normal = -side * plane.normal;
-  const double offset = -side * plane.offset;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = cloud.offset(i).cast<double>();
-    const double d = normal.dot(p) - offset;
-    if (!(d > behind)) continue;  // nor is a point without coordinates
-    const Eigen::Array2d c = cell_at(plane, view.edge, sensor + before / (before + d) * (p - sensor)) - first.cast<double>();
+    const double over = plane.distance(p);
+    if (!(std::abs(over) > behind)) continue;  // nor is a point without coordinates
+    const Eye& eye = eyes[cloud.sensors.of_point(i)];
+    const double d = eye.away * over;
+    if (!(d > behind)) continue;
+    const Eigen::Array2d c = cell_at(plane, view.edge, eye.at + eye.before / (eye.before + d) * (p - eye.at)) - first.cast<double>();
     if ((c >= 0).all() && (c < size.cast<double>()).all()) ++passed[index(c.cast<int>())];
   }
   for (std::size_t k = 0; k < passed.size(); ++k) {

@@ -22,8 +22,9 @@ struct PlaneView {
 [[nodiscard]] PlaneView view_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points, double edge);
 
 /// Finds the cells between the outermost held ones that rays crossed on their way to points more than `behind` (metres) behind
-/// the plane, at least three for each of the plane's own points there and one. What no ray reached, since something stood before it, stays
-/// unknown. Needs cloud.viewpoint; a sensor within twice `behind` of the plane sees nothing past it.
+/// the plane, at least three for each of the plane's own points there and one. Rays from all places where the sensor stood count alike,
+/// each behind the plane as seen from its own. What no ray reached, since something stood before it, stays unknown. A sensor within
+/// twice `behind` of the plane sees nothing past it, nor does one that nobody knows the place of.
 void look_past(const Cloud& cloud, const PlaneFit& plane, double behind, PlaneView& view);
 
 }  // namespace scenelore::perception

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cell_index.hpp"
+#include "seen_from.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -84,8 +85,8 @@ void find_level(Support& support, const std::vector<Sample>& samples) {
 }
 
 /// Whether the room lies on the side that a wall's normal points to; nothing where both sides hold much.
-std::optional<bool> faces_the_room(const Cloud& cloud, const PlaneFit& plane) {
-  if (cloud.viewpoint) return plane.distance(*cloud.viewpoint - cloud.origin) > 0;
+std::optional<bool> faces_the_room(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points) {
+  if (const std::optional<bool> front = seen_from_front(cloud, plane, points)) return front;
   constexpr std::size_t kLooks = 5000;
   constexpr double kClear = 0.1, kMost = 0.8;  // metres; share of the points off the plane
   double front = 0, back = 0;
@@ -134,7 +135,7 @@ std::optional<Support> make_support(const Cloud& cloud, const PlaneFit& plane, c
   support.level = std::abs(c) > kLevel;
   // Exact planes across the line of sight are steps of rounded distances; the next step is no board.
   if (!support.level && plane.rmse() < kRounded) return std::nullopt;
-  const std::optional<bool> faces = support.level ? c > 0 : faces_the_room(cloud, plane);
+  const std::optional<bool> faces = support.level ? c > 0 : faces_the_room(cloud, plane, points);
   if (!faces) return std::nullopt;
   // Things on a table tip the plane fitted to both; the table itself is level.
   support.normal = support.level ? up : *faces ? plane.normal : Eigen::Vector3d(-plane.normal);

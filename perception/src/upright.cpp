@@ -154,6 +154,24 @@ struct Floor {
   double area = 0;
 };
 
+/// Of several positions the middle one, by points: some may be wrong, or on another storey.
+std::optional<double> sensor_height(const Cloud& cloud, const Eigen::Vector3d& up) {
+  const SensorPositions& sensors = cloud.sensors;
+  if (sensors.single()) return up.dot(sensors.positions().front());
+  if (!sensors.known()) return std::nullopt;
+  std::vector<std::size_t> points(sensors.positions().size() + 1, 0);
+  for (std::size_t i = 0; i < cloud.size(); ++i) points[sensors.of_point(i)] += cloud.valid(i);
+  std::vector<std::pair<double, std::size_t>> heights;
+  std::size_t all = 0, lower = 0;
+  for (std::size_t s = 0; s < sensors.positions().size(); ++s) heights.emplace_back(up.dot(sensors.positions()[s]), points[s]), all += points[s];
+  std::sort(heights.begin(), heights.end());
+  for (const auto& [height, count] : heights) {
+    lower += count;
+    if (2 * lower > all) return height;
+  }
+  return std::nullopt;
+}
+
 /// The lowest large level plane that the cloud does not go on below. With several levels the lowest counts that has at
 /// least 15 % of the area of the largest.
 Floor find_floor(const Cloud& cloud, std::span<const PlaneFit> planes, const Eigen::Quaterniond& rotation) {
@@ -165,6 +183,7 @@ Floor find_floor(const Cloud& cloud, std::span<const PlaneFit> planes, const Eig
   }
   if (heights.empty()) return {};
   std::sort(heights.begin(), heights.end());
+  const std::optional<double> sensor = sensor_height(cloud, up);
   const auto below = [&](double z) {
     return static_cast<double>(std::lower_bound(heights.begin(), heights.end(), z) - heights.begin()) / static_cast<double>(heights.size());
   };
@@ -175,7 +194,7 @@ Floor find_floor(const Cloud& cloud, std::span<const PlaneFit> planes, const Eig
     const double z = up.dot(cloud.origin + plane.centroid);
     // Under a floor there are stray points at most; under a ceiling there is the room.
     if (below(z - 0.25) > 0.05 || below(z + 0.25) > 0.9) continue;
-    if (cloud.viewpoint && up.dot(*cloud.viewpoint) < z) continue;
+    if (sensor && *sensor < z) continue;
     levels.emplace_back(z, plane.spread_area());
     largest = std::max(largest, plane.spread_area());
   }

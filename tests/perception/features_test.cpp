@@ -97,7 +97,7 @@ TEST(Describe, FollowsThePlaneThroughEveryRotation) {
 
 TEST(Describe, TurnsTheNormalTowardsTheSensor) {
   Cloud cloud = top(Eigen::Quaterniond::Identity());
-  cloud.viewpoint = Vector(0, 0, -5);
+  cloud.sensors = SensorPositions(Vector(0, 0, -5));
   const Plane p = describe_all(cloud);
   EXPECT_LT(p.normal.z(), 0);
   EXPECT_NEAR(p.facing_up, -1, 1e-6);

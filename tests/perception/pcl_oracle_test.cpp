@@ -3,8 +3,10 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
 
 #include "point_file_support.hpp"
+#include "scenelore/perception/cloud.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -117,6 +119,28 @@ TEST_F(PclOracle, ReadsThePlyFilesThatWeWrite) {
   pcl::PCLPointCloud2 cloud;
   ASSERT_EQ(pcl::PLYReader().read(path("ours.ply").string(), cloud), 0);
   expect_same_values(cloud, table);
+}
+
+TEST_F(PclOracle, TellsTheSensorOfEachPointAsWeReadIt) {
+  pcl::PointCloud<pcl::PointWithViewpoint> cloud;
+  for (int i = 0; i < 9; ++i) {
+    const auto f = static_cast<float>(i);
+    cloud.push_back(pcl::PointWithViewpoint(f, 2 * f, -f, static_cast<float>(i / 3), 0.1F, 1.5F));
+  }
+  pcl::PCDWriter writer;
+  ASSERT_EQ(writer.writeBinary(path("binary.pcd").string(), cloud), 0);
+  ASSERT_EQ(writer.writeBinaryCompressed(path("compressed.pcd").string(), cloud), 0);
+  ASSERT_EQ(writer.writeASCII(path("ascii.pcd").string(), cloud, 9), 0);
+  ASSERT_EQ(pcl::PLYWriter().write(path("binary.ply").string(), cloud, true), 0);
+  for (const char* name : {"binary.pcd", "compressed.pcd", "ascii.pcd", "binary.ply"}) {
+    SCOPED_TRACE(name);
+    const Cloud ours = read_cloud(path(name));
+    ASSERT_EQ(ours.sensors.positions().size(), 3U);
+    for (std::size_t i = 0; i < 9; ++i) {
+      const Eigen::Vector3d sensor = ours.sensors.positions()[ours.sensors.of_point(i)];
+      EXPECT_EQ(sensor, Eigen::Vector3d(static_cast<double>(i / 3), static_cast<double>(0.1F), 1.5));
+    }
+  }
 }
 
 TEST_F(PclOracle, WritesPlyFilesInTwoEncodingsThatWeRead) {

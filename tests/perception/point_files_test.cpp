@@ -45,7 +45,8 @@ void expect_same_cloud(const Cloud& a, const Cloud& b) {
   ASSERT_EQ(a.size(), b.size());
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.invalid, b.invalid);
-  EXPECT_EQ(a.viewpoint.has_value(), b.viewpoint.has_value());
+  EXPECT_EQ(a.sensors.positions(), b.sensors.positions());
+  EXPECT_EQ(a.sensors.single(), b.sensors.single());
   for (const auto axis : {&Cloud::x, &Cloud::y, &Cloud::z}) {
     EXPECT_EQ(0, std::memcmp((a.*axis).data(), (b.*axis).data(), a.size() * sizeof(float)));  // NaN is equal to itself, too
   }

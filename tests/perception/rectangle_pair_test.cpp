@@ -116,7 +116,7 @@ Scene seen_desks(const Eigen::Vector3d& eye, double noise, std::uint64_t seed) {
       scene.add(top + noise * random.normal() * Eigen::Vector3d::UnitZ(), kDesk.holds(top.head<2>()) ? 1 : 2);
     }
   }
-  scene.cloud.viewpoint = eye;
+  scene.cloud.sensors = SensorPositions(eye);
   return scene;
 }
 
@@ -169,7 +169,7 @@ TEST(LookPast, KnowsTheNotchButNotWhatAScreenHides) {
 TEST(LookPast, SeesNothingPastAPlaneItLiesIn) {
   Scene scene = seen_desks({0.8, -1.5, 1.5}, 0, 3);
   auto [points, plane, view] = tops_of(scene);
-  scene.cloud.viewpoint = Eigen::Vector3d(-2, 0, 0.75);
+  scene.cloud.sensors = SensorPositions(Eigen::Vector3d(-2, 0, 0.75));
   look_past(scene.cloud, plane, kEdge, view);
   EXPECT_TRUE(view.empty.empty());
 }

@@ -103,7 +103,7 @@ TEST(Segment, TakesSparseAndDensePartsOfOnePlaneTogether) {
 TEST(Segment, SeparatesABoardFromTheWallBehindIt) {
   Scene scene;
   Random random(6);
-  scene.cloud.viewpoint = Vector(2, 3, 1.2);
+  scene.cloud.sensors = SensorPositions(Vector(2, 3, 1.2));
   scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 0, 2.5), 3000, 0.006, 0, random);
   scene.add_rectangle(Vector(1, 0.03, 1), Vector(1.5, 0, 0), Vector(0, 0, 1), 6000, 0.006, 1, random);
   const Segmentation s = segment(scene.cloud);
@@ -133,7 +133,7 @@ TEST(Segment, FindsABoardThatHangsCloserToItsWallThanPointsScatter) {
   // assignment by distance reaches more than 0.67 for planes with equally many points.
   for (const bool known : {true, false}) {
     Scene scene = wall_with_board(0.015, 0.009, Vector(1.8, 0, 1.1));
-    if (known) scene.cloud.viewpoint = Vector(2, 2.5, 1.2);
+    if (known) scene.cloud.sensors = SensorPositions(Vector(2, 2.5, 1.2));
     const std::vector<double> overlap = best_overlaps(scene, segment(scene.cloud).plane_of_point, 4);
     EXPECT_GT(overlap[0], 0.7) << "wall, sensor known: " << known;
     EXPECT_GT(overlap[1], 0.6) << "board, sensor known: " << known;
@@ -143,7 +143,7 @@ TEST(Segment, FindsABoardThatHangsCloserToItsWallThanPointsScatter) {
 TEST(Segment, DoesNotInventBoardsOnANoisyWall) {
   Scene scene;
   Random random(7);
-  scene.cloud.viewpoint = Vector(2, 3, 1.2);
+  scene.cloud.sensors = SensorPositions(Vector(2, 3, 1.2));
   scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 0, 2.5), 6000, 0.02, 0, random);
   EXPECT_EQ(segment(scene.cloud).planes.size(), 1U);
 }

@@ -110,16 +110,17 @@ struct Row {
   }
 };
 
-/// A file of x, y and z alone.
+/// A file of x, y and z alone, and of where the sensor stood.
 void write_geometry(const fs::path& file, const simulator::SimulatedScan& scan) {
   perception::PointTable table;
   table.rows = scan.points.rows;
   table.viewpoint = scan.points.viewpoint;
-  for (const char* axis : {"x", "y", "z"}) {
-    const perception::Column& column = *scan.points.find(axis);
+  for (const char* name : {"x", "y", "z", "vp_x", "vp_y", "vp_z"}) {
+    const perception::Column* const column = scan.points.find(name);
+    if (column == nullptr) continue;
     std::vector<float> values(table.rows);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(scan.points.value(column, i));
-    table.set_column(axis, values);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(scan.points.value(*column, i));
+    table.set_column(name, values);
   }
   perception::write_points(file, table);
 }

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "scenelore/perception/point_table.hpp"
+#include "scenelore/perception/sensor_positions.hpp"
 
 namespace scenelore::perception {
 
@@ -16,8 +16,8 @@ namespace scenelore::perception {
 struct Cloud {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   std::vector<float> x, y, z;
-  std::size_t invalid = 0;                   ///< number of invalid points
-  std::optional<Eigen::Vector3d> viewpoint;  ///< sensor position in the file's frame, where known
+  std::size_t invalid = 0;  ///< number of invalid points
+  SensorPositions sensors;  ///< in the file's frame, where known; those of invalid points mean nothing
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] bool valid(std::size_t i) const { return x[i] == x[i]; }
@@ -25,7 +25,10 @@ struct Cloud {
   [[nodiscard]] Eigen::Vector3d position(std::size_t i) const { return origin + offset(i).cast<double>(); }
 };
 
-/// Takes x, y, z. Throws Error (saying what was found) without these columns, without points, or without valid points.
+/// Takes x, y, z, and where the sensor stood: by point from vp_x, vp_y, vp_z (those of the Point Cloud Library's PointWithViewpoint;
+/// of any type, in metres; nan three times = the table's viewpoint, or unknown), else the table's viewpoint for all. Positions of a
+/// sensor on the move, more than SensorPositions holds, are rounded to 5 cm. Throws Error (saying what was found) without
+/// x, y or z, without points, without valid points, and for sensor positions of two coordinates or with infinite ones.
 [[nodiscard]] Cloud to_cloud(const PointTable& table, const std::string& source_name);
 
 /// The geometry of a point file: what to_cloud(read_points(path)) gives, with the same errors, but rows of binary PLY

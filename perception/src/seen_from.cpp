@@ -1,0 +1,26 @@
+#include "seen_from.hpp"
+
+#include <vector>
+
+namespace scenelore::perception {
+namespace {
+
+int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+}  // namespace
+
+std::optional<bool> seen_from_front(const Cloud& cloud, const PlaneEquation& plane, std::span<const std::uint32_t> points) {
+  std::vector<int> side;
+  for (const Eigen::Vector3d& sensor : cloud.sensors.positions()) side.push_back(sign(plane.distance(sensor - cloud.origin)));
+  std::int64_t front = 0;
+  if (cloud.sensors.single()) {
+    front = side[0];
+  } else if (cloud.sensors.known()) {
+    side.push_back(0);  // of what was measured from nobody knows where
+    for (const std::uint32_t i : points) front += side[cloud.sensors.of_point(i)];
+  }
+  if (front == 0) return std::nullopt;
+  return front > 0;
+}
+
+}  // namespace scenelore::perception
