@@ -46,7 +46,7 @@ class SimulateCommand : public Command {
             {"--noise", &options_.noise, "m", "standard deviation of a range", Effect::result, 0, 1},
             {"--material-bias", &options_.material_bias, "m", "standard deviation of a range error that is constant per object",
              Effect::result, 0, 1},
-            {"--poses", &options_.poses, "N", "sensor positions whose clouds are merged", Effect::result, 1, 16},
+            {"--poses", &options_.poses, "N", "sensor positions whose clouds are merged; each point tells its own (vp_x vp_y vp_z)", Effect::result, 1, 8},
             {"--points", &points_, "N", "wanted number of points (default: the sensor's own resolution)", Effect::result, 100, 1e8},
             {"--tilt", &options_.tilt_deg, "deg", "tilt the whole cloud by this much", Effect::result, 0, 180},
             {"--varied", &options_.varied, "", "sizes far beyond the usual office's; a depth camera bends planes", Effect::result},

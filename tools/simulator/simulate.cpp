@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
 
@@ -34,7 +35,14 @@ Eigen::Isometry3d cloud_from_room(const SensorPose& first, const SimulationOptio
   return frame;
 }
 
-perception::PointTable make_table(const std::vector<Sample>& samples, const std::vector<Object>& objects,
+/// What was measured from one pose.
+struct PoseScan {
+  Vector3d position;
+  std::vector<Sample> samples;
+};
+
+/// Of several poses each point says from where it was measured.
+perception::PointTable make_table(const std::vector<PoseScan>& scans, const std::vector<Object>& objects,
                                   const Eigen::Isometry3d& frame) {
   using perception::ScalarType;
   perception::PointTable table;
@@ -44,19 +52,30 @@ perception::PointTable make_table(const std::vector<Sample>& samples, const std:
                    {"label", ScalarType::i32, 12},
                    {"instance", ScalarType::i32, 16}};
   table.stride = 20;
-  table.rows = samples.size();
+  const bool several = scans.size() > 1;
+  for (const char* name : {"vp_x", "vp_y", "vp_z"}) {
+    if (!several) break;
+    table.columns.push_back({name, ScalarType::f32, table.stride});
+    table.stride += 4;
+  }
+  for (const PoseScan& scan : scans) table.rows += scan.samples.size();
   table.bytes.resize(table.stride * table.rows);
   std::byte* row = table.bytes.data();
-  for (const Sample& sample : samples) {
-    const Eigen::Vector3f point = (frame * sample.point).cast<float>();
-    const std::int32_t truth[2] = {
-        sample.object < 0 ? 0
-                          : static_cast<std::int32_t>(objects[static_cast<std::size_t>(sample.object)].object_class),
-        sample.object + 1};
-    std::memcpy(row, point.data(), 12);
-    std::memcpy(row + 12, truth, 8);
-    row += table.stride;
+  for (const PoseScan& scan : scans) {
+    const Eigen::Vector3f sensor = (frame * scan.position).cast<float>();
+    for (const Sample& sample : scan.samples) {
+      const Eigen::Vector3f point = (frame * sample.point).cast<float>();
+      const std::int32_t truth[2] = {
+          sample.object < 0 ? 0
+                            : static_cast<std::int32_t>(objects[static_cast<std::size_t>(sample.object)].object_class),
+          sample.object + 1};
+      std::memcpy(row, point.data(), 12);
+      std::memcpy(row + 12, truth, 8);
+      if (several) std::memcpy(row + 20, sensor.data(), 12);
+      row += table.stride;
+    }
   }
+  if (!several) table.viewpoint = frame * scans.front().position;
   return table;
 }
 
@@ -99,16 +118,15 @@ SimulatedScan simulate(const SimulationOptions& options) {
   const PosePlan planned = plan_poses(office, world, options);
   const double wanted = static_cast<double>(options.points) / options.poses;
   const double scale = options.points == 0 ? 1 : std::sqrt(std::max(planned.points, 1.0) / wanted);
-  std::vector<Sample> samples;
+  std::vector<PoseScan> scans;
+  std::vector<std::size_t> counts(objects.size(), 0);
   for (const SensorPose& pose : planned.poses) {
-    const std::vector<Sample> more = scan(world, pose, options.sensor, scale);
-    samples.insert(samples.end(), more.begin(), more.end());
+    scans.push_back({pose.position, scan(world, pose, options.sensor, scale)});
+    const std::vector<std::size_t> more = count_points(scans.back().samples, objects.size());
+    std::transform(counts.begin(), counts.end(), more.begin(), counts.begin(), std::plus<>());
   }
   const Eigen::Isometry3d frame = cloud_from_room(planned.poses.front(), options);
-  SimulatedScan result{make_table(samples, objects, frame),
-                       make_truth(objects, count_points(samples, objects.size()), frame)};
-  if (options.poses == 1) result.points.viewpoint = frame * planned.poses.front().position;
-  return result;
+  return {make_table(scans, objects, frame), make_truth(objects, counts, frame)};
 }
 
 }  // namespace scenelore::simulator

@@ -37,7 +37,7 @@ struct SimulationOptions {
   Sensor sensor = Sensor::lidar;
   double noise = 0.01;         ///< metres, standard deviation of the range; of a depth camera: of the depth at 3 m
   double material_bias = 0;    ///< metres, standard deviation of a constant range error per object
-  int poses = 1;               ///< sensor positions, clouds merged
+  int poses = 1;               ///< sensor positions, clouds merged; each point tells its own when there are several
   std::size_t points = 0;      ///< wanted number of points (angular steps adapt); 0 = the sensor's own resolution
   double tilt_deg = 0;         ///< the whole cloud tilted by this much, about a seeded horizontal axis
   bool varied = false;         ///< sizes far beyond the usual office's, and a depth camera that bends planes
@@ -56,7 +56,9 @@ struct TruthObject {
 };
 
 struct SimulatedScan {
-  perception::PointTable points;  ///< x y z (float), label (int, class id of the default knowledge, 0 = mixed pixel), instance (int)
+  /// x y z (float), label (int, class id of the default knowledge, 0 = mixed pixel), instance (int); where the sensor stood is the table's
+  /// viewpoint, of several poses vp_x vp_y vp_z (float) of each point.
+  perception::PointTable points;
   std::vector<TruthObject> objects;
 };
 

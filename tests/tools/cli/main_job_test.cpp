@@ -60,6 +60,20 @@ TEST_F(MainJob, WritesTheLabelledCloudWithAllTheInputsProperties) {
   EXPECT_GT(on_planes, in.rows / 2);
 }
 
+TEST_F(MainJob, TellsWhereTheSensorStoodAndKeepsItInLabelledCopies) {
+  ASSERT_EQ(scenelore({"simulate", "@office.ply", "--seed", "3", "--points", "40000", "--poses", "2"}).code, 0);
+  ASSERT_EQ(scenelore({"run", "@office.ply", "--labelled", "@labelled.ply"}).code, 0);
+  const json before = json::parse(scenelore({"info", "@office.ply", "--json"}).out);
+  const json after = json::parse(scenelore({"info", "@labelled.ply", "--json"}).out);
+  ASSERT_EQ(before.at("sensors").size(), 2U);
+  EXPECT_EQ(before.at("sensors"), after.at("sensors"));
+  EXPECT_EQ(before.at("sensors").at(0).at("points").get<int>() + before.at("sensors").at(1).at("points").get<int>(), before.at("points").get<int>());
+  EXPECT_TRUE(before.at("viewpoint").is_null());
+  EXPECT_THAT(scenelore({"info", "@office.ply"}).out, testing::ContainsRegex("sensor at .* points\nsensor at .* points\n"));
+  make_scan();
+  EXPECT_THAT(scenelore({"info", "@office.ply"}).out, HasSubstr("\nsensor at 0.000 0.000 1."));
+}
+
 TEST_F(MainJob, PrintsJsonWithAReasonForEachLabel) {
   make_scan();
   const Finished finished = scenelore({"run", "@office.ply", "--json"});

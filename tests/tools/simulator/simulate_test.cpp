@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "scenelore/perception/cloud.hpp"
+
 namespace scenelore::simulator {
 namespace {
 
@@ -103,7 +105,23 @@ TEST(Simulate, FloorIsAtZeroAndTheSensorAboveTheOrigin) {
     if (object.object_class != "floor") continue;
     EXPECT_NEAR(object.centroid.z(), 0, 1e-9);
   }
-  EXPECT_FALSE(simulate({.seed = 8, .poses = 2, .points = kFew}).points.viewpoint.has_value());
+}
+
+TEST(Simulate, SaysOfSeveralPosesWhereEachPointWasMeasuredFrom) {
+  const SimulatedScan one = simulate({.seed = 8}), two = simulate({.seed = 8, .poses = 2});
+  EXPECT_EQ(one.points.find("vp_x"), nullptr) << "one pose is told once";
+  EXPECT_FALSE(two.points.viewpoint.has_value());
+  const perception::Cloud alone = perception::to_cloud(one.points, "one"), joined = perception::to_cloud(two.points, "two");
+  ASSERT_EQ(joined.sensors.positions().size(), 2U);
+  EXPECT_NEAR((joined.sensors.positions()[0] - *one.points.viewpoint).norm(), 0, 1e-6);
+  EXPECT_GT((joined.sensors.positions()[1] - joined.sensors.positions()[0]).norm(), 0.1);
+  ASSERT_GT(joined.size(), alone.size());
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    ASSERT_EQ(joined.sensors.of_point(i), i < alone.size() ? 0U : 1U);
+    if (i < alone.size()) {
+      ASSERT_EQ(joined.offset(i), alone.offset(i)) << "the first pose is that of the scan from one";
+    }
+  }
 }
 
 TEST(Simulate, TiltTurnsTheWholeCloud) {
