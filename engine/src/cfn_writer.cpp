@@ -26,9 +26,9 @@ class CfnWriter {
     body_ = &functions;
     for (std::size_t v = 0; v < problem_.variables().size(); ++v) unary(static_cast<int>(v));
     for (number_ = 0; number_ < static_cast<int>(problem_.constraints().size()); ++number_) {
-      const Constraint& constraint = problem_.constraints()[static_cast<std::size_t>(number_)];
+      const ConstraintView constraint = problem_.constraints()[static_cast<std::size_t>(number_)];
       weight_ = constraint.weight;
-      std::visit([this](const auto& body) { function(body); }, constraint.body);
+      constraint.visit([this](const auto& body) { function(body); });
     }
     out_ << "{\"problem\":{\"name\":\"scenelore\",\"mustbe\":\"<" << top_ << "\"},\n\"variables\":{\n";
     for (std::size_t i = 0; i < declarations_.size(); ++i)
@@ -79,15 +79,15 @@ class CfnWriter {
       sum += factor * largest;
     };
     for (const Variable& variable : problem_.variables()) add_largest(variable.costs, 1);
-    for (const Constraint& constraint : problem_.constraints()) {
+    for (const ConstraintView constraint : problem_.constraints()) {
       const double weight = std::isfinite(constraint.weight) ? constraint.weight : 0;
-      if (const auto* pair = std::get_if<PairTable>(&constraint.body)) {
+      if (const auto* pair = constraint.as<PairTable>()) {
         add_largest(problem_.table(pair->table), weight);
-      } else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+      } else if (const auto* cardinality = constraint.as<Cardinality>()) {
         sum += weight * std::max<double>(static_cast<double>(cardinality->literals.size()), cardinality->low);
       } else {
         sum += weight;
-        if (const auto* requirement = std::get_if<Requirement>(&constraint.body))
+        if (const auto* requirement = constraint.as<Requirement>())
           for (const Support& support : requirement->supports)
             if (std::isfinite(support.cost)) sum += support.cost;
       }

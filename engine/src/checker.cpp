@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 
 namespace scenelore::engine {
 namespace {
@@ -33,9 +32,11 @@ struct Price {
 
   double operator()(const Cardinality& cardinality) const {
     if (cardinality.condition && !holds(*cardinality.condition)) return 0;
-    int count = 0;
-    for (const Literal& literal : std::set(cardinality.literals.begin(), cardinality.literals.end()))
-      count += holds(literal) ? 1 : 0;
+    std::vector<Literal> held;  // a literal that is listed twice counts once
+    for (const Literal& literal : cardinality.literals)
+      if (holds(literal)) held.push_back(literal);
+    std::sort(held.begin(), held.end());
+    const int count = static_cast<int>(std::unique(held.begin(), held.end()) - held.begin());
     const double off =
         std::max({0.0, static_cast<double>(cardinality.low) - count, count - static_cast<double>(cardinality.high)});
     return off > 0 ? weight * off : 0;
@@ -69,8 +70,8 @@ Check check(const Problem& problem, const std::vector<int>& assignment, const st
   for (std::size_t v = 0; v < assignment.size(); ++v)
     cost += problem.variables()[v].costs[static_cast<std::size_t>(assignment[v])];
   for (const int c : constraints) {
-    const Constraint& constraint = problem.constraints()[static_cast<std::size_t>(c)];
-    const double amount = std::visit(Price{problem, assignment, constraint.weight}, constraint.body);
+    const ConstraintView constraint = problem.constraints()[static_cast<std::size_t>(c)];
+    const double amount = constraint.visit(Price{problem, assignment, constraint.weight});
     if (!(amount > 0)) continue;
     result.violations.push_back({c, amount});
     cost += amount;

@@ -24,9 +24,9 @@ class ConflictFinder {
   bool limit_struck() { return budget_.exhausted(); }
 
  private:
-  static bool may_forbid(const Problem& problem, const Constraint& constraint) {
+  static bool may_forbid(const Problem& problem, const ConstraintView& constraint) {
     if (constraint.weight == kHard) return true;
-    const auto* pair = std::get_if<PairTable>(&constraint.body);
+    const auto* pair = constraint.as<PairTable>();
     if (pair == nullptr) return false;
     const auto& costs = problem.table(pair->table);
     return std::find(costs.begin(), costs.end(), kHard) != costs.end();

@@ -16,16 +16,16 @@ std::vector<std::vector<int>> constraints_of(const Problem& problem) {
       auto& of = all[index(v)];
       if (of.empty() || of.back() != static_cast<int>(c)) of.push_back(static_cast<int>(c));
     };
-    const auto& body = problem.constraints()[c].body;
-    if (const auto* conflict = std::get_if<Conflict>(&body)) {
+    const ConstraintView constraint = problem.constraints()[c];
+    if (const auto* conflict = constraint.as<Conflict>()) {
       note(conflict->a.variable);
       note(conflict->b.variable);
-    } else if (const auto* requirement = std::get_if<Requirement>(&body)) {
+    } else if (const auto* requirement = constraint.as<Requirement>()) {
       note(requirement->literal.variable);
-    } else if (const auto* cardinality = std::get_if<Cardinality>(&body)) {
+    } else if (const auto* cardinality = constraint.as<Cardinality>()) {
       if (cardinality->condition) note(cardinality->condition->variable);
       for (const Literal& literal : cardinality->literals) note(literal.variable);
-    } else if (const auto* pair = std::get_if<PairTable>(&body)) {
+    } else if (const auto* pair = constraint.as<PairTable>()) {
       note(pair->a);
       note(pair->b);
     }
@@ -47,10 +47,10 @@ Part::Part(const Problem& problem, const Scale& scale, const std::vector<std::ve
   std::sort(constraints.begin(), constraints.end());
   constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
   for (const int c : constraints) {
-    const Constraint& constraint = problem.constraints()[index(c)];
-    if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
+    const ConstraintView constraint = problem.constraints()[index(c)];
+    if (const auto* conflict = constraint.as<Conflict>()) {
       add_pair(problem, scale, constraint, conflict->a.variable, conflict->b.variable);
-    } else if (const auto* pair = std::get_if<PairTable>(&constraint.body)) {
+    } else if (const auto* pair = constraint.as<PairTable>()) {
       add_pair(problem, scale, constraint, pair->a, pair->b);
     } else {
       auto term = make_term(problem, scale, constraint, live_);
@@ -62,10 +62,10 @@ Part::Part(const Problem& problem, const Scale& scale, const std::vector<std::ve
   }
 }
 
-void Part::add_pair(const Problem& problem, const Scale& scale, const Constraint& constraint, int a, int b) {
+void Part::add_pair(const Problem& problem, const Scale& scale, const ConstraintView& constraint, int a, int b) {
   if (!label_term_.contains(a) || !label_term_.contains(b)) return;
   if (a == b) {
-    const auto& conflict = std::get<Conflict>(constraint.body);
+    const Conflict& conflict = *constraint.as<Conflict>();
     const Cost weight = scale.whole(constraint.weight);
     if (conflict.a == conflict.b)
       static_cast<LabelTerm&>(*terms_[index(label_term_[a])]).charge(conflict.a.label, is_forbidden(weight) ? kNever : weight);

@@ -42,7 +42,7 @@ class Part {
     Cost before;
   };
   void add(std::unique_ptr<Term> term);
-  void add_pair(const Problem& problem, const Scale& scale, const Constraint& constraint, int a, int b);
+  void add_pair(const Problem& problem, const Scale& scale, const ConstraintView& constraint, int a, int b);
   void move(int term, Literal to, Cost amount);
   void set(int term, Literal to, Cost amount);
   void mark_stale(int term);

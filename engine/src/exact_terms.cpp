@@ -163,11 +163,11 @@ Cost* Term::moved(int v, int label) {
   return &moved_[at][index(label)];
 }
 
-std::unique_ptr<Term> make_term(const Problem& problem, const Scale& scale, const Constraint& constraint,
+std::unique_ptr<Term> make_term(const Problem& problem, const Scale& scale, const ConstraintView& constraint,
                                 const std::vector<std::vector<char>>& live) {
   Cost weight = exactly(scale, constraint.weight);
   std::set<int> scope;
-  if (const auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+  if (const auto* requirement = constraint.as<Requirement>()) {
     const Literal owner = requirement->literal;
     std::vector<Support> supports;
     if (is_in(live, owner)) scope.insert(owner.variable);
@@ -180,7 +180,7 @@ std::unique_ptr<Term> make_term(const Problem& problem, const Scale& scale, cons
     if (scope.empty()) scope.insert(owner.variable);
     return std::make_unique<RequirementTerm>(problem, sorted(scope), owner, weight, supports, scale);
   }
-  if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+  if (const auto* cardinality = constraint.as<Cardinality>()) {
     std::set<Literal> counted;
     int always = 0;
     if (cardinality->condition) scope.insert(cardinality->condition->variable);
@@ -202,17 +202,17 @@ PairTerm::PairTerm(const Problem& problem, int x, int y) : Term(problem, {x, y})
   costs_.assign(problem.variables()[index(x)].labels.size() * problem.variables()[index(y)].labels.size(), 0);
 }
 
-void PairTerm::add(const Problem& problem, const Scale& scale, const Constraint& constraint) {
+void PairTerm::add(const Problem& problem, const Scale& scale, const ConstraintView& constraint) {
   const auto add = [&](int label_x, int label_y, Cost cost) {
     Cost& sum = costs_[index(label_x * labels(1) + label_y)];
     sum = plus(sum, cost);
   };
-  if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
+  if (const auto* conflict = constraint.as<Conflict>()) {
     const bool swapped = conflict->a.variable != scope()[0];
     const Literal& first = swapped ? conflict->b : conflict->a;
     const Literal& second = swapped ? conflict->a : conflict->b;
     add(first.label, second.label, exactly(scale, constraint.weight));
-  } else if (const auto* pair = std::get_if<PairTable>(&constraint.body)) {
+  } else if (const auto* pair = constraint.as<PairTable>()) {
     const bool swapped = pair->a != scope()[0];
     const std::vector<double>& table = problem.table(pair->table);
     const int columns = problem.table_size(pair->table).second;

@@ -68,14 +68,14 @@ class Term {
 
 /// The term of a constraint of many variables; nullptr for a conflict or pair table. Literals whose label is not live
 /// take no part.
-std::unique_ptr<Term> make_term(const Problem& problem, const Scale& scale, const Constraint& constraint,
+std::unique_ptr<Term> make_term(const Problem& problem, const Scale& scale, const ConstraintView& constraint,
                                 const std::vector<std::vector<char>>& live);
 
 /// Costs of the pairs of labels of two variables.
 class PairTerm : public Term {
  public:
   PairTerm(const Problem& problem, int x, int y);
-  void add(const Problem& problem, const Scale& scale, const Constraint& constraint);
+  void add(const Problem& problem, const Scale& scale, const ConstraintView& constraint);
   Cost least(const Choice& choice) const override;
 
  private:

@@ -16,22 +16,24 @@ Outline::Outline(const Problem& problem, const Scale& scale, std::span<const cha
     first_label.push_back(static_cast<int>(own.size()));
   }
   std::vector<std::pair<int, int>> ends;  // of each conflict
-  const auto& constraints = problem.constraints();
+  const Constraints constraints = problem.constraints();
   ends.reserve(constraints.size());
   price.reserve(constraints.size());
   conflict.reserve(constraints.size());
+  double last_weight = kHard;  // neighbours often have the same
+  Cost weight = scale.whole(last_weight);
   for (std::size_t c = 0; c < constraints.size(); ++c) {
     if (!used.empty() && used[c] == 0) continue;
-    const Constraint& constraint = constraints[c];
+    const ConstraintView constraint = constraints[c];
     const int number = static_cast<int>(c);
-    const Cost weight = scale.whole(constraint.weight);
-    if (const auto* clash = std::get_if<Conflict>(&constraint.body))
+    if (constraint.weight != last_weight) weight = scale.whole(last_weight = constraint.weight);
+    if (const auto* clash = constraint.as<Conflict>())
       add(*clash, weight, number, ends);
-    else if (const auto* requirement = std::get_if<Requirement>(&constraint.body))
+    else if (const auto* requirement = constraint.as<Requirement>())
       add(*requirement, weight, number, scale);
-    else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body))
+    else if (const auto* cardinality = constraint.as<Cardinality>())
       add(*cardinality, weight, number);
-    else if (const auto* pair = std::get_if<PairTable>(&constraint.body))
+    else if (const auto* pair = constraint.as<PairTable>())
       pairs.push_back({pair->a, pair->b, pair->table, constraint.weight, number});
   }
   sort();

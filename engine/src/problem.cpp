@@ -69,6 +69,8 @@ class Inspector {
   const std::string& name_;
 };
 
+constexpr std::uint32_t kMostBodies = (1U << 30) - 1;  // memory ends long before
+
 void require_cost(double cost, const std::string& whose) {
   if (!(cost >= 0)) throw Error(whose + ": a cost is " + std::to_string(cost) + "; costs are >= 0, or infinite");
 }
@@ -97,10 +99,30 @@ void Problem::set_cost(Literal literal, double cost) {
 }
 
 void Problem::drop(int constraint) {
-  if (constraint < 0 || constraint >= static_cast<int>(constraints_.size()))
+  if (constraint < 0 || constraint >= static_cast<int>(heads_.size()))
     throw Error("drop: there is no constraint " + std::to_string(constraint));
-  constraints_[static_cast<std::size_t>(constraint)].body = Cardinality{};
+  Head& head = heads_[static_cast<std::size_t>(constraint)];
+  head.body = static_cast<std::uint32_t>(cardinalities_.size()) & kMostBodies;
+  head.kind = Kind::cardinality;
+  cardinalities_.emplace_back();
   ++revision_;
+}
+
+void Problem::reserve(std::size_t constraints) {
+  heads_.reserve(constraints);
+  conflicts_.reserve(constraints);
+}
+
+int Problem::add_head(const std::string& name, double weight, std::int64_t reference, Kind kind, std::size_t body) {
+  if (heads_.empty() || names_[heads_.back().name] != name) names_.push_back(name);
+  Head& head = heads_.emplace_back();
+  head.weight = weight;
+  head.reference = reference;
+  head.name = static_cast<std::uint32_t>(names_.size() - 1);
+  head.body = static_cast<std::uint32_t>(body) & kMostBodies;
+  head.kind = kind;
+  ++revision_;
+  return static_cast<int>(heads_.size()) - 1;
 }
 
 int Problem::add_table(int labels_a, int labels_b, std::vector<double> costs) {
@@ -119,9 +141,14 @@ int Problem::add(std::string name, double weight, std::int64_t reference,
   const Inspector inspector(*this, name);
   inspector.weight(weight);
   std::visit([&](const auto& part) { inspector.body(part, weight); }, body);
-  ++revision_;
-  constraints_.push_back({std::move(name), weight, reference, std::move(body)});
-  return static_cast<int>(constraints_.size()) - 1;
+  const auto keep = [&](auto& list, Kind kind, auto& part) {
+    list.push_back(std::move(part));
+    return add_head(name, weight, reference, kind, list.size() - 1);
+  };
+  if (auto* requirement = std::get_if<Requirement>(&body)) return keep(requirements_, Kind::requirement, *requirement);
+  if (auto* cardinality = std::get_if<Cardinality>(&body)) return keep(cardinalities_, Kind::cardinality, *cardinality);
+  if (auto* pair = std::get_if<PairTable>(&body)) return keep(pair_tables_, Kind::pair_table, *pair);
+  return keep(conflicts_, Kind::conflict, std::get<Conflict>(body));
 }
 
 int Problem::add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict) {
@@ -134,9 +161,8 @@ int Problem::add(const std::string& name, double weight, std::int64_t reference,
     inspector.weight(weight);
     inspector.body(conflict, weight);
   }
-  ++revision_;
-  constraints_.emplace_back(name, weight, reference, conflict);
-  return static_cast<int>(constraints_.size()) - 1;
+  conflicts_.push_back(conflict);
+  return add_head(name, weight, reference, Kind::conflict, conflicts_.size() - 1);
 }
 
 }  // namespace scenelore::engine

@@ -19,22 +19,22 @@ double largest(const std::vector<double>& costs) {
 double more_than_all(const Problem& problem) {
   double sum = 1;
   for (const Variable& variable : problem.variables()) sum += largest(variable.costs);
-  for (const Constraint& constraint : problem.constraints()) {
+  for (const ConstraintView constraint : problem.constraints()) {
     const double weight = std::isfinite(constraint.weight) ? constraint.weight : 0;
-    if (const auto* pair = std::get_if<PairTable>(&constraint.body))
+    if (const auto* pair = constraint.as<PairTable>())
       sum += weight * largest(problem.table(pair->table));
-    else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body))
+    else if (const auto* cardinality = constraint.as<Cardinality>())
       sum += weight * static_cast<double>(cardinality->literals.size() + static_cast<std::size_t>(std::max(cardinality->low, 0)));
     else
       sum += weight;
-    if (const auto* requirement = std::get_if<Requirement>(&constraint.body); requirement != nullptr && weight == 0)
+    if (const auto* requirement = constraint.as<Requirement>(); requirement != nullptr && weight == 0)
       for (const Support& support : requirement->supports) sum += std::isfinite(support.cost) ? support.cost : 0;
   }
   return sum;
 }
 
 /// The allowed part of a table, and what it forbids as a table of 0 and 1.
-void add_table(Problem& relaxed, const Problem& problem, const Constraint& constraint, const PairTable& pair, double price) {
+void add_table(Problem& relaxed, const Problem& problem, const ConstraintView& constraint, const PairTable& pair, double price) {
   const auto [rows, columns] = problem.table_size(pair.table);
   std::vector<double> allowed = problem.table(pair.table), forbidden;
   for (double& cost : allowed) {
@@ -52,12 +52,12 @@ Relaxation cheapest_relaxation(const Problem& problem, const SolverOptions& opti
   const double price = more_than_all(problem);
   Problem relaxed;
   for (const Variable& variable : problem.variables()) relaxed.add_variable(variable.name, variable.labels, variable.costs);
-  for (const Constraint& constraint : problem.constraints()) {
-    if (const auto* pair = std::get_if<PairTable>(&constraint.body)) {
+  for (const ConstraintView constraint : problem.constraints()) {
+    if (const auto* pair = constraint.as<PairTable>()) {
       add_table(relaxed, problem, constraint, *pair, price);
       continue;
     }
-    auto body = constraint.body;
+    auto body = Constraint(constraint).body;
     if (auto* requirement = std::get_if<Requirement>(&body))
       std::erase_if(requirement->supports, [](const Support& support) { return std::isinf(support.cost); });
     relaxed.add(constraint.name, std::min(constraint.weight, price), -1, std::move(body));

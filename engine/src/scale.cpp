@@ -15,18 +15,18 @@ double largest_finite(const std::vector<double>& costs) {
 }
 
 /// The most that a soft constraint can cost.
-double worst(const Problem& problem, const Constraint& constraint) {
+double worst(const Problem& problem, const ConstraintView& constraint) {
   const double weight = constraint.weight;
-  if (const auto* pair = std::get_if<PairTable>(&constraint.body))
+  if (const auto* pair = constraint.as<PairTable>())
     return std::isfinite(weight) ? weight * largest_finite(problem.table(pair->table)) : 0;
-  if (const auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+  if (const auto* requirement = constraint.as<Requirement>()) {
     double most = std::isfinite(weight) ? weight : 0;
     for (const Support& support : requirement->supports)
       if (std::isfinite(support.cost)) most = std::max(most, support.cost);
     return most;
   }
   if (!std::isfinite(weight)) return 0;
-  if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+  if (const auto* cardinality = constraint.as<Cardinality>()) {
     const double count = static_cast<double>(cardinality->literals.size());
     return weight * std::max(count, static_cast<double>(std::max(cardinality->low, 1)));
   }
@@ -41,9 +41,9 @@ Scale::Scale(const Problem& problem) {
   // which is below 2^48 units.
   double terms = 2 + static_cast<double>(problem.variables().size());
   for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
-  for (const Constraint& constraint : problem.constraints()) {
+  for (const ConstraintView constraint : problem.constraints()) {
     sum += worst(problem, constraint);
-    const auto* cardinality = std::get_if<Cardinality>(&constraint.body);
+    const auto* cardinality = constraint.as<Cardinality>();
     terms += cardinality == nullptr ? 1 : static_cast<double>(cardinality->literals.size()) + std::max(cardinality->low, 1);
   }
   int exponent = 0;

@@ -6,17 +6,17 @@
 namespace scenelore::engine {
 
 /// Visits them in the order in which they are written; one may come more than once.
-void for_each_variable(const Constraint& constraint, const auto& visit) {
-  if (const auto* conflict = std::get_if<Conflict>(&constraint.body)) {
+void for_each_variable(const ConstraintView& constraint, const auto& visit) {
+  if (const auto* conflict = constraint.as<Conflict>()) {
     visit(conflict->a.variable);
     visit(conflict->b.variable);
-  } else if (const auto* requirement = std::get_if<Requirement>(&constraint.body)) {
+  } else if (const auto* requirement = constraint.as<Requirement>()) {
     visit(requirement->literal.variable);
     for (const Support& support : requirement->supports) visit(support.literal.variable);
-  } else if (const auto* cardinality = std::get_if<Cardinality>(&constraint.body)) {
+  } else if (const auto* cardinality = constraint.as<Cardinality>()) {
     if (cardinality->condition) visit(cardinality->condition->variable);
     for (const Literal& literal : cardinality->literals) visit(literal.variable);
-  } else if (const auto* pair = std::get_if<PairTable>(&constraint.body)) {
+  } else if (const auto* pair = constraint.as<PairTable>()) {
     visit(pair->a);
     visit(pair->b);
   }

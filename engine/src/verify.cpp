@@ -134,8 +134,8 @@ class Verifier {
   /// Cardinalities none of whose literals is left.
   Cost constant(const std::vector<std::vector<char>>& live) const {
     Cost sum = 0;
-    for (const Constraint& constraint : problem_.constraints()) {
-      if (!std::holds_alternative<Cardinality>(constraint.body)) continue;
+    for (const ConstraintView constraint : problem_.constraints()) {
+      if (constraint.as<Cardinality>() == nullptr) continue;
       const auto term = exact::make_term(problem_, scale_, constraint, live);
       if (term->scope().empty()) sum = exact::plus(sum, term->least(exact::Choice(live)));
     }

@@ -54,7 +54,7 @@ engine::Problem restricted(const engine::Problem& problem, const std::vector<int
     out.add_table(labels_a, labels_b, problem.table(table));
   }
   for (const int index : constraints) {
-    const engine::Constraint& c = problem.constraints()[at(index)];
+    const engine::Constraint c = problem.constraints()[at(index)];
     out.add(c.name, c.weight, c.reference, c.body);
   }
   return out;

@@ -28,8 +28,8 @@ class Flips {
     }
   }
 
-  void add(const engine::Constraint& constraint) {
-    std::visit([&](const auto& body) { add(body, constraint.weight); }, constraint.body);
+  void add(const engine::ConstraintView& constraint) {
+    constraint.visit([&](const auto& body) { add(body, constraint.weight); });
   }
 
   std::vector<std::vector<double>> delta;
@@ -132,7 +132,7 @@ class Flips {
 std::vector<std::vector<double>> flip_costs(const engine::Problem& problem, const std::vector<int>& assignment) {
   Flips flips(problem, assignment);
   flips.add_variables();
-  for (const engine::Constraint& constraint : problem.constraints()) flips.add(constraint);
+  for (const engine::ConstraintView constraint : problem.constraints()) flips.add(constraint);
   return std::move(flips.delta);
 }
 

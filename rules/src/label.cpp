@@ -108,11 +108,11 @@ bool too_entangled(const engine::Problem& problem) {
     pairs += entry ? 0 : 1;
     entry = true;
   };
-  for (const engine::Constraint& constraint : problem.constraints()) {
+  for (const engine::ConstraintView constraint : problem.constraints()) {
     if (pairs >= most) break;
-    if (const auto* conflict = std::get_if<engine::Conflict>(&constraint.body)) join(conflict->a.variable, conflict->b.variable);
-    if (const auto* table = std::get_if<engine::PairTable>(&constraint.body)) join(table->a, table->b);
-    if (const auto* needs = std::get_if<engine::Requirement>(&constraint.body)) {
+    if (const auto* conflict = constraint.as<engine::Conflict>()) join(conflict->a.variable, conflict->b.variable);
+    if (const auto* table = constraint.as<engine::PairTable>()) join(table->a, table->b);
+    if (const auto* needs = constraint.as<engine::Requirement>()) {
       for (const engine::Support& support : needs->supports) join(needs->literal.variable, support.literal.variable);
     }
   }

@@ -242,9 +242,9 @@ std::string Reasoner::others(const std::vector<kb::PlaneId>& planes, kb::PlaneId
 
 /// For each requirement that a plane keeps alone thanks to another one, the reason of the one and of the other.
 void Reasoner::add_supports(const std::vector<double>& margins) {
-  const auto& constraints = about_.compiled.problem.constraints();
+  const engine::Constraints constraints = about_.compiled.problem.constraints();
   for (std::size_t c = 0; c < constraints.size(); ++c) {
-    const auto* requirement = std::get_if<engine::Requirement>(&constraints[c].body);
+    const auto* requirement = constraints[c].as<engine::Requirement>();
     if (requirement == nullptr || !best_.holds(requirement->literal)) continue;
     const ActiveSupports found = active_supports(best_, *requirement, constraints[c].weight);
     if (found.first == nullptr) continue;
@@ -314,12 +314,12 @@ void Reasoner::add_tuple_violation(const kb::ClassConstraint& row, const TupleCo
 
 void Reasoner::add_violation(const engine::Violation& violation) {
   const ConstraintOrigin& origin = about_.compiled.origins[at(violation.constraint)];
-  const engine::Constraint& constraint = about_.compiled.problem.constraints()[at(violation.constraint)];
+  const engine::ConstraintView constraint = about_.compiled.problem.constraints()[at(violation.constraint)];
   const kb::ClassConstraint& row = about_.row(violation.constraint);
   if (const TupleConstraint* tuples = about_.facts.tuples(row)) return add_tuple_violation(row, *tuples, violation);
   const std::string pays = "pays " + number(violation.amount) + " for " + about_.quoted(row) + ": ";
   const std::string other_class = row.other_class ? *row.other_class : std::string("other plane");
-  if (const auto* requirement = std::get_if<engine::Requirement>(&constraint.body)) {
+  if (const auto* requirement = constraint.as<engine::Requirement>()) {
     const ActiveSupports found = active_supports(best_, *requirement, constraint.weight);
     if (found.first == nullptr) {
       return add(origin.a, "violation", -violation.amount,
@@ -331,14 +331,13 @@ void Reasoner::add_violation(const engine::Violation& violation) {
                    relation_phrase(row, row.relation ? about_.facts.degree(*row.relation, origin.a, b) : 1) + ")",
                &row, b);
   }
-  if (std::holds_alternative<engine::Cardinality>(constraint.body)) {
-    const auto& body = std::get<engine::Cardinality>(constraint.body);
-    const auto count = std::count_if(body.literals.begin(), body.literals.end(), [&](auto l) { return best_.holds(l); });
+  if (const auto* body = constraint.as<engine::Cardinality>()) {
+    const auto count = std::count_if(body->literals.begin(), body->literals.end(), [&](auto l) { return best_.holds(l); });
     const std::string found = pays + std::to_string(count) + " found, " +
                               (row.quantifier == kb::Quantifier::at_most ? "at most " : "at least ") +
                               std::to_string(row.count.value_or(0)) + " wanted";
     if (origin.a >= 0) return add(origin.a, "violation", -violation.amount, found, &row);
-    for (const engine::Literal& literal : body.literals) {
+    for (const engine::Literal& literal : body->literals) {
       const int plane = about_.compiled.plane_of_variable[at(literal.variable)];
       if (best_.holds(literal)) add(plane, "violation", -violation.amount, found, &row);
     }

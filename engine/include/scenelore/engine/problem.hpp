@@ -63,10 +63,69 @@ struct Constraint {
   std::variant<Conflict, Requirement, Cardinality, PairTable> body;
 };
 
+/// A constraint of a problem where it lies; good until the problem changes.
+class ConstraintView {
+ public:
+  const std::string& name;
+  double weight;
+  std::int64_t reference;
+
+  template <typename Body>
+  ConstraintView(const std::string& its_name, double its_weight, std::int64_t its_reference, const Body& body)
+      : name(its_name), weight(its_weight), reference(its_reference), body_(&body) {}
+  /// The body if it is of this kind, else nullptr.
+  template <typename Body>
+  const Body* as() const {
+    const auto* const body = std::get_if<const Body*>(&body_);
+    return body == nullptr ? nullptr : *body;
+  }
+  template <typename Visitor>
+  decltype(auto) visit(Visitor&& visitor) const {
+    return std::visit([&](const auto* body) -> decltype(auto) { return visitor(*body); }, body_);
+  }
+  operator Constraint() const {
+    return visit([&](const auto& body) { return Constraint{name, weight, reference, body}; });
+  }
+
+ private:
+  std::variant<const Conflict*, const Requirement*, const Cardinality*, const PairTable*> body_;
+};
+
 struct Variable {
   std::string name;
   std::vector<std::string> labels;
   std::vector<double> costs;  ///< one per label, ≥ 0 or infinite = forbidden
+};
+
+class Problem;
+
+/// The constraints of a problem, each made into a view when it is asked for.
+class Constraints {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Problem& problem, std::size_t index) : problem_(&problem), index_(index) {}
+    ConstraintView operator*() const;
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+   private:
+    const Problem* problem_;
+    std::size_t index_;
+  };
+
+  explicit Constraints(const Problem& problem) : problem_(&problem) {}
+  std::size_t size() const;
+  bool empty() const { return size() == 0; }
+  ConstraintView operator[](std::size_t index) const;
+  Iterator begin() const { return {*problem_, 0}; }
+  Iterator end() const { return {*problem_, size()}; }
+
+ private:
+  const Problem* problem_;
 };
 
 /// Plain data with checked insertion. Variables are in the order in which the search should prefer them.
@@ -79,15 +138,18 @@ class Problem {
   /// The constraint keeps its index and name but holds always, at no cost.
   void drop(int constraint);
   int add_table(int labels_a, int labels_b, std::vector<double> costs);
-  void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
+  /// Room for so many constraints, most of them conflicts.
+  void reserve(std::size_t constraints);
   /// Returns the constraint's index, which Violation and Explanation use.
   int add(std::string name, double weight, std::int64_t reference,
           std::variant<Conflict, Requirement, Cardinality, PairTable> body);
-  /// The same for conflicts, of which a problem may have very many: nothing is copied twice.
+  /// The same for conflicts, of which a problem may have very many.
   int add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict);
 
   const std::vector<Variable>& variables() const { return variables_; }
-  const std::vector<Constraint>& constraints() const { return constraints_; }
+  /// By index; a range of ConstraintView.
+  Constraints constraints() const { return Constraints(*this); }
+  ConstraintView constraint(std::size_t index) const;
   const std::vector<double>& table(int index) const { return tables_[static_cast<std::size_t>(index)].costs; }
   /// Labels of a and of b that the table is for.
   std::pair<int, int> table_size(int index) const {
@@ -103,10 +165,44 @@ class Problem {
     int labels_a, labels_b;
     std::vector<double> costs;
   };
+  /// A scan has tens of thousands of conflicts, and whoever goes over them waits for memory: kept apart from the larger kinds, and
+  /// with their names by number, they take 40 bytes each.
+  enum class Kind : std::uint8_t { conflict, requirement, cardinality, pair_table };
+  struct Head {
+    double weight;
+    std::int64_t reference;
+    std::uint32_t name;  ///< in names_
+    std::uint32_t body : 30;  ///< in the list of its kind
+    Kind kind : 2;
+  };
+  int add_head(const std::string& name, double weight, std::int64_t reference, Kind kind, std::size_t body);
+
   std::vector<Variable> variables_;
-  std::vector<Constraint> constraints_;
+  std::vector<Head> heads_;
+  std::vector<std::string> names_;  ///< neighbours of one name share it
+  std::vector<Conflict> conflicts_;
+  std::vector<Requirement> requirements_;
+  std::vector<Cardinality> cardinalities_;
+  std::vector<PairTable> pair_tables_;
   std::vector<Table> tables_;
   std::uint64_t revision_ = 0;
+  friend class Constraints;
 };
+
+inline ConstraintView Problem::constraint(std::size_t index) const {
+  const Head& head = heads_[index];
+  const std::string& name = names_[head.name];
+  switch (head.kind) {
+    case Kind::requirement: return {name, head.weight, head.reference, requirements_[head.body]};
+    case Kind::cardinality: return {name, head.weight, head.reference, cardinalities_[head.body]};
+    case Kind::pair_table: return {name, head.weight, head.reference, pair_tables_[head.body]};
+    case Kind::conflict: break;
+  }
+  return {name, head.weight, head.reference, conflicts_[head.body]};
+}
+
+inline std::size_t Constraints::size() const { return problem_->heads_.size(); }
+inline ConstraintView Constraints::operator[](std::size_t index) const { return problem_->constraint(index); }
+inline ConstraintView Constraints::Iterator::operator*() const { return problem_->constraint(index_); }
 
 }  // namespace scenelore::engine
