@@ -107,7 +107,7 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(tab
     for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
       const bool silent = of.gaussians[c] == nullptr && of.bins[c].empty() && fallback >= 0;
       const std::size_t like = silent ? static_cast<std::size_t>(fallback) : c;
-      features_.back().likelihoods.emplace_back(feature, of.gaussians[like], of.bins[like], outlier_share);
+      features_.back().likelihoods.emplace_back(feature, of.gaussians[like], of.bins[like], outlier_share, features_.back().errors != nullptr);
     }
   }
 }

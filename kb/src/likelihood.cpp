@@ -33,11 +33,18 @@ double Likelihood::LogNormal::operator()(double distance) const {
   return -0.5 * z * z - log_scale;
 }
 
-Likelihood::Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share)
-    : feature_(&feature), log_uniform_(-std::log(range_on_scale(feature))), outlier_share_(outlier_share),
-      log_inlier_share_(std::log1p(-outlier_share)), log_outlier_share_(std::log(outlier_share)) {
+Likelihood::Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share,
+                       bool with_errors)
+    : feature_(&feature), range_(range_on_scale(feature)), log_uniform_(-std::log(range_)), outlier_share_(outlier_share),
+      log_inlier_share_(std::log1p(-outlier_share)), log_outlier_share_(std::log(outlier_share)),
+      low_on_scale_(on_scale(feature, feature.low)), least_(std::exp(log_uniform_ + kLogDensityFloor)) {
   const double least = log_uniform_ + kLogDensityFloor;
-  for (const ClassDensity* bin : bins) bins_.push_back({bin->low, bin->high, bin->density > 0 ? std::max(std::log(bin->density), least) : least});
+  bins_.reserve(bins.size());
+  for (const ClassDensity* bin : bins) {
+    const double log_density = bin->density > 0 ? std::max(std::log(bin->density), least) : least;
+    bins_.push_back({bin->low, bin->high, log_density});
+    if (with_errors) boxes_.push_back({on_scale(feature, bin->low), on_scale(feature, bin->high), std::exp(log_density)});
+  }
   if (gaussian != nullptr && feature.scale != Scale::circular) {
     tail_mean_ = gaussian->mean;
     tail_ = LogNormal(kTail * gaussian->sigma);
@@ -71,20 +78,20 @@ double Likelihood::log_own(double value, double scaled, double error) const {
 
 // Each bin is a box, and a box seen through normal errors a difference of two normal distribution functions.
 double Likelihood::log_blurred(double scaled, double error) const {
-  const double low = on_scale(*feature_, feature_->low), high = low + range_on_scale(*feature_);
+  const double low = low_on_scale_, high = low + range_;
   double sum = 0;
   for (const double image : {scaled, 2 * low - scaled, 2 * high - scaled}) {
-    const auto below = [&](double bound) { return 0.5 * std::erfc((image - on_scale(*feature_, bound)) / (error * std::numbers::sqrt2)); };
+    const auto below = [&](double bound) { return 0.5 * std::erfc((image - bound) / (error * std::numbers::sqrt2)); };
     if (image != scaled && std::min(std::abs(image - low), std::abs(image - high)) > 8 * error) continue;
-    double edge = std::numeric_limits<double>::quiet_NaN(), share = 0;  // of the bin before
-    for (const Bin& bin : bins_) {
-      const double from = bin.low == edge ? share : below(bin.low);
-      edge = bin.high;
+    double edge = std::numeric_limits<double>::quiet_NaN(), share = 0;  // of the box before
+    for (const Box& box : boxes_) {
+      const double from = box.low == edge ? share : below(box.low);
+      edge = box.high;
       share = below(edge);
-      sum += std::exp(bin.log_density) * (share - from);
+      sum += box.density * (share - from);
     }
   }
-  return std::log(std::max(sum, std::exp(log_uniform_ + kLogDensityFloor)));
+  return std::log(std::max(sum, least_));
 }
 
 // On a circle of circumference T the normal density is wrapped: p(x) = Σ_k N(x + kT; μ, σ).   (2)

@@ -29,8 +29,9 @@ class Likelihood {
   /// density and μ, σ the class's Gaussian; without a Gaussian, on circles, u alone.   (1)
   /// After Tukey 1960, A survey of sampling from contaminated distributions (his k is 3): other rooms and other sensors
   /// than those learned from stray near the usual values more often than far from them.
-  /// `bins` by low.
-  Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share);
+  /// `bins` by low. `with_errors`: whether log_density may be asked about values with a standard error.
+  Likelihood(const Feature& feature, const ClassFeature* gaussian, const std::vector<const ClassDensity*>& bins, double outlier_share,
+             bool with_errors = true);
 
   [[nodiscard]] double log_density(double value) const { return log_density(value, on_scale(*feature_, value)); }
   /// The same for callers that ask many classes about one value: `scaled` = on_scale(feature, value). `error` ≥ 0: standard
@@ -44,6 +45,9 @@ class Likelihood {
  private:
   struct Bin {
     double low, high, log_density;  ///< bounds in the feature's unit
+  };
+  struct Box {
+    double low, high, density;  ///< bounds on the scale
   };
   /// ln N(μ + distance; μ, σ), the constant part of the logarithm computed once.
   struct LogNormal {
@@ -63,8 +67,11 @@ class Likelihood {
   double mean_ = std::numeric_limits<double>::quiet_NaN(), sigma_ = mean_;
   LogNormal normal_, tail_;  // of sigma NaN: none
   std::vector<Bin> bins_;    // by low
+  std::vector<Box> boxes_;   // the same, for values with errors
   double tail_mean_ = mean_;
+  double range_;             // on the scale
   double log_uniform_, outlier_share_, log_inlier_share_, log_outlier_share_;
+  double low_on_scale_, least_;  // of the feature's range; of a blurred density
 };
 
 /// ln(eᵃ + eᵇ) without overflow.
