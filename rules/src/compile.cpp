@@ -126,7 +126,9 @@ void Compiler::add_some(int index, int subject, int other) {
   for (int a = 0; a < planes(); ++a) {
     if (label(a, subject) < 0) continue;
     engine::Requirement requirement{.literal = literal(a, subject), .supports = {}};
-    for (const auto& [b, degree] : held(row, a)) {
+    const std::span<const FactIndex::Held> others = held(row, a);
+    if (other >= 0) requirement.supports.reserve(others.size());
+    for (const auto& [b, degree] : others) {
       if (!row.weight && degree < hold_) continue;
       const double cost = row.weight ? *row.weight * (1 - degree) : 0;
       for_each_other(b, other, [&](Literal support) { requirement.supports.push_back({support, cost}); });

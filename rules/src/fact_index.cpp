@@ -1,6 +1,7 @@
 #include "fact_index.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -10,6 +11,7 @@ namespace scenelore::rules {
 
 FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), planes_(scene.planes.size()) {
   std::unordered_map<kb::PlaneId, int> index;
+  index.reserve(scene.ids.size());
   for (std::size_t i = 0; i < scene.ids.size(); ++i) index[scene.ids[i]] = static_cast<int>(i);
   const auto plane = [&](kb::PlaneId id, const std::string& relation) {
     const auto found = index.find(id);
@@ -17,14 +19,18 @@ FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), pl
     throw Error("a fact of relation '" + relation + "' speaks of plane " + std::to_string(id) +
                 ", which is not in this scan");
   };
-  std::vector<std::vector<Held>>* lists = nullptr;
+  struct Entry {
+    int a;
+    Held held;
+  };
+  std::map<std::string, std::vector<Entry>> lists;
+  std::vector<Entry>* list = nullptr;
   const std::string* relation = nullptr;
   std::optional<kb::PlaneId> id;  // of the fact before: they come by relation and a
   int index_of_a = -1;
   for (const kb::RelationFact& fact : facts.facts) {
     if (relation == nullptr || *relation != fact.relation) {
-      lists = &by_relation_[fact.relation];
-      lists->resize(planes_);
+      list = &lists[fact.relation];
       relation = &fact.relation;
     }
     if (!(fact.degree > 0 && fact.degree <= 1)) {
@@ -36,13 +42,19 @@ FactIndex::FactIndex(const Scene& scene, const Facts& facts) : facts_(facts), pl
       id = fact.a;
     }
     const int a = index_of_a, b = plane(fact.b, fact.relation);
-    if (a != b) (*lists)[static_cast<std::size_t>(a)].push_back({b, fact.degree});
+    if (a != b) list->push_back({a, {b, fact.degree}});
   }
-  for (auto& [name, by_plane] : by_relation_) {
-    for (std::vector<Held>& list : by_plane) {
-      const auto before = [](const Held& h, const Held& i) { return h.b < i.b; };
-      if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
+  for (auto& [name, entries] : lists) {
+    const auto before = [](const Entry& e, const Entry& f) { return std::pair(e.a, e.held.b) < std::pair(f.a, f.held.b); };
+    if (!std::is_sorted(entries.begin(), entries.end(), before)) std::stable_sort(entries.begin(), entries.end(), before);
+    ByPlane& by_plane = by_relation_[name];
+    by_plane.first.assign(planes_ + 1, 0);
+    by_plane.held.reserve(entries.size());
+    for (const Entry& entry : entries) {
+      ++by_plane.first[static_cast<std::size_t>(entry.a) + 1];
+      by_plane.held.push_back(entry.held);
     }
+    std::partial_sum(by_plane.first.begin(), by_plane.first.end(), by_plane.first.begin());
   }
 }
 
@@ -54,12 +66,12 @@ FactIndex::Relation FactIndex::relation(const std::string& name) const {
 }
 
 double FactIndex::Relation::degree(int a, int b) const {
-  const std::vector<Held>& list = held(a);
+  const std::span<const Held> list = held(a);
   const auto found = std::lower_bound(list.begin(), list.end(), b, [](const Held& h, int plane) { return h.b < plane; });
   return found != list.end() && found->b == b ? found->degree : 0;
 }
 
-const std::vector<FactIndex::Held>& FactIndex::held(const std::string& name, int a) const { return relation(name).held(a); }
+std::span<const FactIndex::Held> FactIndex::held(const std::string& name, int a) const { return relation(name).held(a); }
 double FactIndex::degree(const std::string& name, int a, int b) const { return relation(name).degree(a, b); }
 
 const TupleConstraint* FactIndex::tuples(const kb::ClassConstraint& row) const {
