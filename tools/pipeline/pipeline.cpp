@@ -70,17 +70,29 @@ kb::Inference label_and_store(kb::KnowledgeBase& base, const kb::Scan& scan, con
 
 }  // namespace
 
-Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
+namespace {
+
+Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules, kb::Knowledge knowledge) {
   rules::Scene scene = planes_of(base, scan);
-  kb::Knowledge knowledge = base.knowledge();
   rules::RuleAnswers answers = rules::answer(rules, knowledge, scene, known_about(base, scan));
   return situation_of(base, scan, std::move(knowledge), std::move(scene), std::move(answers));
 }
 
+}  // namespace
+
+Situation assess(const kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules) {
+  return assess(base, scan, rules, base.knowledge());
+}
+
 kb::Inference label_scan(kb::KnowledgeBase& base, const kb::Scan& scan, rules::RuleSet& rules,
                          const rules::LabellingOptions& options) {
-  base.register_features(rules.new_features(base.knowledge()));
-  return label_and_store(base, scan, assess(base, scan, rules), rules.hash(), options);
+  kb::Knowledge knowledge = base.knowledge();
+  const std::vector<kb::Feature> new_features = rules.new_features(knowledge);
+  if (!new_features.empty()) {
+    base.register_features(new_features);
+    knowledge = base.knowledge();
+  }
+  return label_and_store(base, scan, assess(base, scan, rules, std::move(knowledge)), rules.hash(), options);
 }
 
 kb::Inference label_scan_isolated(kb::KnowledgeBase& base, const kb::Scan& scan, const std::vector<fs::path>& folders,
