@@ -55,8 +55,9 @@ void add_argument(CLI::App& app, const Argument& argument) {
       argument.target);
 }
 
-/// "kb init" hangs below a group "kb", made when first met.
-CLI::App* add_sub_command(CLI::App& app, Command& command, std::map<std::string, CLI::App*>& groups) {
+/// "kb init" hangs below a group "kb", made when first met. Only what begins with `asked` gets its arguments: making those of all
+/// commands takes a millisecond, and the others are but named in the list.
+CLI::App* add_sub_command(CLI::App& app, Command& command, std::string_view asked, std::map<std::string, CLI::App*>& groups) {
   const std::string name = command.name();
   const std::size_t space = name.find(' ');
   CLI::App* parent = &app;
@@ -70,6 +71,7 @@ CLI::App* add_sub_command(CLI::App& app, Command& command, std::map<std::string,
     parent = made;
   }
   CLI::App* sub = parent->add_subcommand(space == std::string::npos ? name : name.substr(space + 1), command.summary());
+  if (name.substr(0, space) != asked) return sub;
   sub->footer("Example:\n" + indented(command.example()));
   sub->set_config("--config", "", "read options from a file: lines `name = value`");
   for (const Argument& argument : command.arguments()) add_argument(*sub, argument);
@@ -122,7 +124,7 @@ int run_command_line(int argc, char** argv) {
   std::vector<std::unique_ptr<Command>> commands = all_commands();
   std::vector<CLI::App*> subs;
   std::map<std::string, CLI::App*> groups;
-  for (const auto& command : commands) subs.push_back(add_sub_command(app, *command, groups));
+  for (const auto& command : commands) subs.push_back(add_sub_command(app, *command, argc > 1 ? argv[1] : "", groups));
 
   if (argc == 2 && std::string_view(argv[1]) == "--documentation") {
     fmt::print("{}", documentation(commands));
