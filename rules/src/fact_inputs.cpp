@@ -47,12 +47,13 @@ void add(Bytes& bytes, const perception::Plane& plane) {
 
 }  // namespace
 
-SceneDigest::SceneDigest(const Scene& scene) : scene_(scene) {
+SceneDigest::SceneDigest(const Scene& scene, Last& last) : scene_(scene) {
   Bytes bytes;
   bytes.count(scene.planes.size());
   for (const kb::PlaneId id : scene.ids) bytes.count(static_cast<std::size_t>(id));
   for (const perception::Plane& plane : scene.planes) add(bytes, plane);
-  planes_ = kb::sha256_of(bytes.all());
+  if (last.digest.empty() || last.bytes != bytes.all()) last = {bytes.all(), kb::sha256_of(bytes.all())};
+  planes_ = last.digest;
 }
 
 std::string SceneDigest::with(const std::string& features) const {

@@ -10,7 +10,11 @@ namespace scenelore::rules {
 /// Of what Lua can see of the planes of a scene, which must live as long.
 class SceneDigest {
  public:
-  explicit SceneDigest(const Scene& scene);
+  /// Planes that were hashed last: features, relations and constraints all ask about the same, and comparing is cheaper.
+  struct Last {
+    std::string bytes, digest;
+  };
+  SceneDigest(const Scene& scene, Last& last);
   /// Of ids, fields and outlines, which every rule may look at.
   [[nodiscard]] const std::string& planes() const { return planes_; }
   /// Of those, and of the named features of the catalogue (one name a line; see RuleFile::features_read).

@@ -75,6 +75,8 @@ struct RuleSet::Implementation {
   Budget budget;
   std::map<std::string, Overrides> overrides;  // by relation
   Entries relations, features, tuple_constraints;
+  SceneDigest::Last last_planes;
+  std::string hash;  // once it was asked for; what is loaded does not change
 
   [[nodiscard]] RuleFile& file(Entry& entry) {
     if (!entry.file) entry.file = std::make_unique<RuleFile>(entry.source, budget, overrides);
@@ -224,6 +226,7 @@ std::vector<kb::Feature> RuleSet::new_features(const kb::Knowledge& knowledge) c
 }
 
 std::string RuleSet::hash() const {
+  if (!implementation_->hash.empty()) return implementation_->hash;
   kb::Sha256 hash;
   const auto add = [&](std::string_view text) {
     hash.add(std::to_string(text.size()) + ":");
@@ -239,7 +242,7 @@ std::string RuleSet::hash() const {
   for (const auto& [relation, values] : implementation_->overrides) {
     for (const auto& [field, value] : values) add(relation + "." + field + "=" + std::to_string(value));
   }
-  return hash.hex();
+  return implementation_->hash = hash.hex();
 }
 
 namespace {
@@ -276,7 +279,7 @@ void keep(KeptAnswers* kept, const std::string& rule, const RuleFile& file, cons
 
 void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept) const {
   PairGeometry geometry(scene.planes);
-  const SceneDigest digest(scene);  // `table` is often the scene's own: a feature may look at those before it
+  const SceneDigest digest(scene, implementation_->last_planes);  // `table` is often the scene's own: a feature may look at those before it
   table.values.resize(scene.planes.size(), std::vector<double>(table.names.size()));
   for (auto& [name, entry] : implementation_->features) {
     if (std::find(table.names.begin(), table.names.end(), name) != table.names.end()) {
@@ -330,7 +333,7 @@ void sort_by_planes(std::vector<Held>& facts) {
 
 Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known) {
   Facts out;
-  const SceneDigest digest(scene);
+  const SceneDigest digest(scene, implementation_->last_planes);
   KeptGeometry geometry(scene, digest);
   std::vector<Box3> boxes;
   std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs;  // by reach, which many relations share
@@ -419,7 +422,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
                                                   KeptAnswers* answers) const {
   std::vector<TupleConstraint> out;
   if (implementation_->tuple_constraints.empty()) return out;
-  const SceneDigest digest(scene);
+  const SceneDigest digest(scene, implementation_->last_planes);
   KeptGeometry kept(scene, digest);
   PairGeometry& geometry = kept.with(known == nullptr ? kb::StoredGeometry{} : *known);
   const std::vector<Box3> boxes = boxes_of(scene.planes);
