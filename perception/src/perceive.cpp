@@ -5,6 +5,7 @@
 
 #include "find_regions.hpp"
 #include "limits.hpp"
+#include "outline_edges.hpp"
 #include "parallel.hpp"
 #include "scenelore/perception/error.hpp"
 #include "scenelore/perception/features.hpp"
@@ -84,6 +85,7 @@ Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
       result.planes[p].behind = surroundings.behind(result.planes[p], cloud.origin);
     }
   });
+  look_beyond_outlines(cloud, result.upright.rotation, result.planes, options.threads);
   result.plane_of_point = std::move(found.regions.of_point);
   warn(cloud, result);
   return result;

@@ -1,20 +1,9 @@
 #include "sample.hpp"
 
-#include <bit>
-
 #include "parallel.hpp"
+#include "point_hash.hpp"
 
 namespace scenelore::perception {
-namespace {
-
-std::uint32_t hash_of(float x, float y, float z) {
-  std::uint64_t h = std::bit_cast<std::uint32_t>(x) * 0x9e3779b97f4a7c15ULL;
-  h = (h ^ (h >> 29) ^ std::bit_cast<std::uint32_t>(y)) * 0xbf58476d1ce4e5b9ULL;
-  h = (h ^ (h >> 31) ^ std::bit_cast<std::uint32_t>(z)) * 0x94d049bb133111ebULL;
-  return static_cast<std::uint32_t>(h >> 32);
-}
-
-}  // namespace
 
 PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::int64_t most, int threads) {
   // Points with a hash of at most this are taken.
@@ -28,7 +17,7 @@ PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::i
   parallel_pieces(cloud.size(), kPiece, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = voxels.of_point[i];
-      if (v == kNoVoxel || hash_of(cloud.x[i], cloud.y[i], cloud.z[i]) > limit[v]) continue;
+      if (v == kNoVoxel || point_hash(cloud.x[i], cloud.y[i], cloud.z[i]) > limit[v]) continue;
       chosen[i / kPiece].push_back(static_cast<std::uint32_t>(i));
     }
   });

@@ -41,6 +41,11 @@ struct Plane {
   /// lie off the plane on the side with fewer, as a share of these and the plane's own, 0..1. About 0 for floor, ceiling, walls and
   /// what hangs on them. −1 = not known.
   double behind = -1;
+  /// What the sensor saw beyond the outline, in shares of the outline's length (0..1) beyond which it measured anything: rays
+  /// went past into the room behind (free), or met more of the same surface within 4 cm of the plane (joined); along the rest
+  /// something before the plane hides how it goes on. `edge_free_top`: free, of the upper edge of what is not level alone.
+  /// −1 = not known, or measured along less than a quarter of it.
+  double edge_free = -1, edge_free_top = -1, edge_joined = -1;
   std::size_t point_count = 0;
 };
 

@@ -1,0 +1,155 @@
+#include "outline_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "directions.hpp"
+#include "parallel.hpp"
+#include "point_hash.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kApart = 0.03;        // metres between places along an outline
+constexpr double kBeyond = 0.05;       // metres off it, at least
+constexpr double kBeyondSteps = 3;     // of the sensor, at least: cells beside one as near as two hold points of the plane itself
+constexpr double kThick = 0.04;        // metres, half: thicker than a keyboard over its desk, and a board's edge
+constexpr double kDeviations = 3;      // of the plane's own points, at least
+constexpr double kEnough = 0.25;       // of an outline must have been looked at
+constexpr double kUpper = 0.5;         // the upper edge faces up within 60 degrees
+constexpr double kShortestTop = 0.1;   // metres
+constexpr std::size_t kMostViews = 16;
+constexpr std::size_t kMostPoints = 250'000;  // of a view; with that of a laser scanner they are 0.3 degrees apart
+
+/// What was measured beyond a place of an outline. Of several poses the one that saw most decides: what hid the rest from
+/// one hides nothing from the other.
+enum class Seen : std::uint8_t { nothing, something_before, same_surface, past };
+
+struct Place {
+  Eigen::Vector3d at;    // on the outline, in the cloud's offsets
+  Eigen::Vector3d out;   // unit, in the plane
+  double length = 0;     // metres of outline that it stands for
+  Seen seen = Seen::nothing;
+};
+
+std::vector<Place> places_of(const Plane& plane, const Eigen::Vector3d& origin) {
+  std::vector<Place> places;
+  const Ring& ring = plane.hull.outer;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Eigen::Vector3d from = ring[k] - origin, along = ring[(k + 1) % ring.size()] - ring[k];
+    const double length = along.norm();
+    if (!(length > 0)) continue;
+    const Eigen::Vector3d out = along.cross(plane.normal).normalized();  // the ring runs counter-clockwise
+    const int parts = std::max(1, static_cast<int>(std::lround(length / kApart)));
+    for (int part = 0; part < parts; ++part) places.push_back({from + (part + 0.5) / parts * along, out, length / parts, Seen::nothing});
+  }
+  return places;
+}
+
+/// The plane as one position of the sensor sees it: its distance from there counts as positive.
+struct Facing {
+  Eigen::Vector3d normal, centroid;
+  double thick = 0;
+
+  [[nodiscard]] double over(const Eigen::Vector3d& p) const { return normal.dot(p - centroid); }
+};
+
+Seen judge(const Cloud& cloud, const std::vector<std::uint32_t>& measured, const Facing& plane) {
+  int before = 0, same = 0, past = 0;
+  for (const std::uint32_t i : measured) {
+    const double over = plane.over(cloud.offset(i).cast<double>());
+    ++(over > plane.thick ? before : over < -plane.thick ? past : same);
+  }
+  if (before + same + past == 0) return Seen::nothing;
+  if (past >= std::max(same, before)) return Seen::past;
+  return same >= before ? Seen::same_surface : Seen::something_before;
+}
+
+void look(const Cloud& cloud, const Directions& directions, const Eigen::Vector3d& eye, const Plane& plane, std::vector<Place>& places) {
+  Facing facing{plane.normal, plane.centroid - cloud.origin, std::max(kThick, kDeviations * plane.rmse)};
+  if (facing.over(eye) < 0) facing.normal = -facing.normal;
+  if (facing.over(eye) < 2 * facing.thick) return;  // seen edge-on
+  std::vector<std::uint32_t> measured;
+  for (Place& place : places) {
+    const double beyond = std::max(kBeyond, kBeyondSteps * directions.step() * (place.at - eye).norm());
+    directions.measured_towards(place.at + beyond * place.out, measured);
+    place.seen = std::max(place.seen, judge(cloud, measured, facing));
+  }
+}
+
+/// A position of the sensor and the points that were measured from it.
+struct View {
+  Eigen::Vector3d eye;  ///< in the cloud's offsets
+  std::vector<std::uint32_t> points;
+};
+
+/// The positions with most points, a sensor on the move has seen little from any one; of their points kMostPoints or so.
+std::vector<View> views_of(const Cloud& cloud) {
+  const std::size_t positions = cloud.sensors.positions().size();
+  const auto position_of = [&](std::size_t i) { return cloud.valid(i) ? cloud.sensors.of_point(i) : positions; };
+  std::vector<std::size_t> counts(positions + 1, 0), order(positions);
+  for (std::size_t i = 0; i < cloud.size(); ++i) ++counts[position_of(i)];
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
+  order.resize(std::min(order.size(), kMostViews));
+
+  std::vector<View> views;
+  std::vector<std::uint32_t> limit(positions + 1, 0);  // points with a hash below are taken
+  std::vector<std::size_t> number(positions + 1, 0);
+  for (const std::size_t position : order) {
+    constexpr std::uint64_t all = ~std::uint32_t{0};
+    limit[position] = static_cast<std::uint32_t>(counts[position] > kMostPoints ? all * kMostPoints / counts[position] : all);
+    number[position] = views.size();
+    views.push_back({cloud.sensors.positions()[position] - cloud.origin, {}});
+  }
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const std::size_t position = position_of(i);
+    if (point_hash(cloud.x[i], cloud.y[i], cloud.z[i]) < limit[position]) views[number[position]].points.push_back(static_cast<std::uint32_t>(i));
+  }
+  return views;
+}
+
+/// Length by what was seen.
+struct Lengths {
+  double all = 0, seen = 0, free = 0, joined = 0;
+
+  void add(const Place& place) {
+    all += place.length;
+    if (place.seen == Seen::nothing) return;
+    seen += place.length;
+    if (place.seen == Seen::past) free += place.length;
+    if (place.seen == Seen::same_surface) joined += place.length;
+  }
+  [[nodiscard]] bool enough() const { return seen > 0 && seen >= kEnough * all; }
+};
+
+void conclude(const std::vector<Place>& places, const Eigen::Vector3d& up, Plane& plane) {
+  Lengths whole, top;
+  for (const Place& place : places) {
+    whole.add(place);
+    if (up.dot(place.out) > kUpper) top.add(place);
+  }
+  if (!whole.enough()) return;
+  plane.edge_free = whole.free / whole.seen;
+  plane.edge_joined = whole.joined / whole.seen;
+  if (top.enough() && top.seen >= kShortestTop) plane.edge_free_top = top.free / top.seen;
+}
+
+}  // namespace
+
+void look_beyond_outlines(const Cloud& cloud, const Eigen::Quaterniond& upright, std::vector<Plane>& planes, int threads) {
+  if (!cloud.sensors.known()) return;
+  std::vector<std::vector<Place>> places(planes.size());
+  for (std::size_t p = 0; p < planes.size(); ++p) places[p] = places_of(planes[p], cloud.origin);
+  for (View& view : views_of(cloud)) {
+    const Directions directions(cloud, std::move(view.points), view.eye, threads);
+    parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) look(cloud, directions, view.eye, planes[p], places[p]);
+    });
+  }
+  const Eigen::Vector3d up = upright.inverse() * Eigen::Vector3d::UnitZ();
+  for (std::size_t p = 0; p < planes.size(); ++p) conclude(places[p], up, planes[p]);
+}
+
+}  // namespace scenelore::perception
