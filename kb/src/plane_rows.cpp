@@ -1,6 +1,7 @@
 #include "plane_rows.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "footprint.hpp"
 #include "geometry_blob.hpp"
@@ -12,7 +13,8 @@ namespace {
 // The order in which insert_planes binds and read_plane reads.
 constexpr std::string_view kPlaneColumns =
     "geom, x, y, z, normal_x, normal_y, normal_z, qw, qx, qy, qz, area_m2, length, width, rectangularity, tilt_deg, "
-    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, behind, point_count";
+    "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, "
+    "behind, edge_free, edge_free_top, edge_joined, point_count";
 
 Eigen::Vector3d vector_at(const Statement::Use& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
@@ -34,8 +36,10 @@ perception::Plane read_plane(const Statement::Use& row, int column) {
                         &plane.point_density, &plane.seen_share, &plane.spread_length, &plane.spread_width}) {
     *value = row.real(column++);
   }
-  if (!row.is_null(column)) plane.behind = row.real(column);
-  ++column;
+  for (double* share : {&plane.behind, &plane.edge_free, &plane.edge_free_top, &plane.edge_joined}) {
+    if (!row.is_null(column)) *share = row.real(column);
+    ++column;
+  }
   plane.point_count = static_cast<std::size_t>(row.integer(column));
   return plane;
 }
@@ -48,6 +52,11 @@ std::vector<double> numbers_of(const perception::Plane& plane) {
           std::clamp(plane.tilt_deg, 0.0, 90.0), plane.height, plane.z_min, plane.z_max, plane.rmse,
           std::clamp(plane.facing_up, -1.0, 1.0), plane.point_density, std::clamp(plane.seen_share, 0.0, 1.0),
           plane.spread_length, plane.spread_width};
+}
+
+// What may be unknown, between those and the number of points: a share, −1 = not known.
+std::array<double, 4> shares_of(const perception::Plane& plane) {
+  return {plane.behind, plane.edge_free, plane.edge_free_top, plane.edge_joined};
 }
 
 std::string placeholders(int count) {
@@ -95,7 +104,7 @@ std::vector<StoredPlane> read_planes(const Database& database, ScanId scan) {
 
 void insert_planes(Database& database, const Scan& scan, const std::vector<perception::Plane>& planes) {
   Statement insert = database.prepare("INSERT INTO plane (scan_id, number, " + std::string(kPlaneColumns) +
-                                      ") VALUES (" + placeholders(29) + ")");
+                                      ") VALUES (" + placeholders(32) + ")");
   Statement insert_footprint = database.prepare(kInsertFootprint);
   std::int64_t number = 0;
   for (const perception::Plane& plane : planes) {
@@ -103,7 +112,7 @@ void insert_planes(Database& database, const Scan& scan, const std::vector<perce
     auto use = insert.use();
     use(scan.id)(number++)(geometry);
     for (const double value : numbers_of(plane)) use(value);
-    use(plane.behind >= 0 ? std::optional(std::min(plane.behind, 1.0)) : std::nullopt);
+    for (const double share : shares_of(plane)) use(share >= 0 ? std::optional(std::min(share, 1.0)) : std::nullopt);
     use(static_cast<std::int64_t>(plane.point_count)).run();
     store_footprint(insert_footprint, scan, database.last_id(), plane);
   }
@@ -125,7 +134,7 @@ void store_missing_footprints(Database& database) {
 }
 
 bool same_plane(const perception::Plane& a, const perception::Plane& b) {
-  return a.point_count == b.point_count && a.behind == b.behind && numbers_of(a) == numbers_of(b) &&
+  return a.point_count == b.point_count && shares_of(a) == shares_of(b) && numbers_of(a) == numbers_of(b) &&
          encode_polygon(a.hull, Dimensions::xyz) == encode_polygon(b.hull, Dimensions::xyz);
 }
 

@@ -52,6 +52,12 @@ constexpr PlaneField kFields[] = {
      "share of the outline that holds points, 0 to 1"},
     {"behind", [](const perception::Plane& p) { return p.behind; },
      "share of the cubes around it that lie on its emptier side: about 0 where the room ends, -1 = not known"},
+    {"edge_free", [](const perception::Plane& p) { return p.edge_free; },
+     "share of its outline beyond which the sensor looked into the room behind; -1 = not known"},
+    {"edge_free_top", [](const perception::Plane& p) { return p.edge_free_top; },
+     "the same of its upper edge; -1 = not known, or level"},
+    {"edge_joined", [](const perception::Plane& p) { return p.edge_joined; },
+     "share of its outline along which another surface goes on in its plane; -1 = not known"},
     {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); },
      "points"},
 };

@@ -18,7 +18,10 @@ INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('point_density',  '1/m2', 'log',    1,     1e6,  0,   'points a square metre: depends on the distance to the sensor'),
   ('facing_up',      '1',    'linear', -1,    1,    0,   'z of the normal on the sensor''s side; 1 = seen from above, -1 = from below'),
   ('seen_share',     '1',    'linear', 0,     1,    0,   'share of the hull that holds points'),
-  ('behind',         '1',    'linear', 0,     1,    0.5, 'share of the cubes around it that lie on its emptier side: 0 where the room ends');
+  ('behind',         '1',    'linear', 0,     1,    0.5, 'share of the cubes around it that lie on its emptier side: 0 where the room ends'),
+  ('edge_free',      '1',    'linear', 0,     1,    0.5, 'share of its outline beyond which the sensor looked into the room behind'),
+  ('edge_free_top',  '1',    'linear', 0,     1,    0.5, 'the same of its upper edge; unknown of level planes'),
+  ('edge_joined',    '1',    'linear', 0,     1,    0.5, 'share of its outline along which another surface goes on in its plane');
 
 INSERT INTO object_class (id, name, prior, color, fallback, description) VALUES
   (0, 'unknown', 0.30, '#9e9e9e', 1, 'what fits nothing: books, boxes, plants, people');

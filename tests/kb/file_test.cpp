@@ -85,10 +85,11 @@ TEST(KnowledgeFile, OfVersionOneIsMigratedWithAllItsRows) {
   Database(path, OpenMode::create).execute(test::read_file(fs::path(SCENELORE_SOURCE_DIR) / "tests/kb/data/version_1.sql"));
   EXPECT_THAT(refused(path, Access::read_only), HasSubstr("older schema version 1"));
   const KnowledgeBase base = KnowledgeBase::open(path);
-  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("9|1"));
+  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("10|1"));
   EXPECT_EQ(base.knowledge().classes.size(), 3U);
   ASSERT_EQ(base.planes(1).size(), 2U);
   EXPECT_EQ(base.planes(1)[0].plane.behind, -1) << "was not measured then";
+  EXPECT_EQ(base.planes(1)[0].plane.edge_free_top, -1);
   EXPECT_THAT(base.truth(1), ElementsAre(std::pair<PlaneId, std::string>(1, "table")));
   EXPECT_THAT(base.plane_of_point(1), ElementsAre(1, 1, 1, 1, 1, 2, 2, 2, 2, 2));
   EXPECT_THAT(ask(base, "SELECT count(*) FROM plane_plan WHERE geom IS NOT NULL"), ElementsAre("2"));

@@ -41,6 +41,9 @@ inline perception::Plane rectangle(const Eigen::Vector3d& centre, const Eigen::V
   plane.point_density = static_cast<double>(points) / plane.area_m2;
   plane.seen_share = 0.9;
   if (plane.tilt_deg < 45) plane.behind = 0.25;  // not known of the others
+  plane.edge_free = 0.5;
+  plane.edge_joined = 0.25;
+  if (plane.tilt_deg > 45) plane.edge_free_top = 0.75;
   plane.point_count = points;
   return plane;
 }
