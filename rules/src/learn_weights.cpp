@@ -146,8 +146,10 @@ LearnedWeights learn_weights(const kb::Knowledge& knowledge, std::span<const Lab
   const std::vector<double> present = parameters_of(knowledge, layout);
   LogLinearFit fit{.start = present, .strength = options.strength, .low = std::vector<double>(present.size(), 0.0),
                    .high = std::vector<double>(present.size(), options.most), .free = layout.first_class(), .frees = layout.classes};
+  std::fill(fit.high.begin(), fit.high.begin() + static_cast<std::ptrdiff_t>(layout.first_class()), options.most_of_feature);
   std::fill(fit.low.begin() + static_cast<std::ptrdiff_t>(layout.first_row()), fit.low.end(), kLeastRow);
   std::vector<double> parameters = present, log_likelihood;
+  for (std::size_t f = 0; f < layout.first_class(); ++f) parameters[f] = std::min(parameters[f], options.most_of_feature);
   for (int round = 0; round < options.rounds; ++round) {
     const kb::Knowledge now = with_weights(knowledge, weights_of(knowledge, layout, parameters));
     std::vector<Example> examples;

@@ -85,6 +85,13 @@ TEST(LearnWeights, LeavesHardAndDisabledRowsAlone) {
   EXPECT_EQ(after.constraints[1].weight, knowledge.constraints[1].weight);
 }
 
+TEST(LearnWeights, LetsNoFeatureWeighMoreThanIsAllowed) {
+  EXPECT_GT(learn_weights(crockery(), cups()).features[0], 0.3) << "or the bound below would bind nothing";
+  const LearnedWeights bounded = learn_weights(crockery(), cups(), {.most_of_feature = 0.3});
+  EXPECT_LE(bounded.features[0], 0.3);
+  EXPECT_GT(bounded.constraints[0], 0.5) << "rows have a bound of their own";
+}
+
 TEST(LearnWeights, TellsWhatDoesNotFit) {
   auto scenes = cups();
   scenes[3].classes.pop_back();

@@ -20,6 +20,7 @@ struct LearnWeightsOptions {
   int rounds = 5;          ///< of labelling all scenes and fitting the weights to what came out
   double strength = 4;     ///< how firmly a weight holds on to its present value, in pretended planes
   double most = 8;         ///< nats, no row weighs more; rows are for the usual, hard rows for the certain
+  double most_of_feature = 8;  ///< no feature weighs more; less than 1 where the scenes are sharper than what will be labelled
   engine::SolverOptions solver = {.limits = {.seconds = 5}};
 };
 
