@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string_view>
 
 #include "bench/rooms.hpp"
@@ -68,6 +69,11 @@ std::vector<simulator::SimulationOptions> varied_rooms(std::uint64_t first, int 
   return out;
 }
 
+/// Simulated walls and tables are plumb and level to a tenth of a degree. At full weight such densities leave a class whose rows
+/// people wrote, "89 give or take 2 degrees", no chance against planes of the unknown class, and they were no better on rooms of
+/// seeds from 9101 on.
+constexpr double kMostOfFeature = 0.5;
+
 /// Degrees, of frames: floors of real ones are seen level within this much.
 constexpr double kUpError = 2;
 
@@ -106,6 +112,15 @@ std::vector<rules::LabelledScene> scenes(const Source& source, rules::RuleSet& r
 std::string described(const Source& source) {
   return fmt::format("{} paper-like rooms, seeds from {}; {} varied rooms, seeds from {}; {} depth-camera frames, seeds from {}.",
                      6 * source.sets, source.first_set, source.varied(), source.first_varied, source.frames, source.first_frame);
+}
+
+/// As of a scan whose sensor's position is not known, of which there are many: a weight must serve both, and what edges tell as
+/// well (`behind`) would else lose its own.
+void forget_edges(kb::FeatureTable& features) {
+  for (std::size_t f = 0; f < features.names.size(); ++f) {
+    if (!features.names[f].starts_with("edge_")) continue;
+    for (std::vector<double>& plane : features.values) plane[f] = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 kb::LabelledPlanes all_planes(const std::vector<rules::LabelledScene>& scenes) {
@@ -167,8 +182,9 @@ int main(int argc, char** argv) {
   const kb::Knowledge knowledge = base.knowledge();
   std::vector<rules::LabelledScene> examples = scenes(weights, rules);
   const std::vector<std::string> relations = rules::used_relations(knowledge, rules);
+  for (std::size_t i = 1; i < examples.size(); i += 2) forget_edges(examples[i].scene.features);
   for (rules::LabelledScene& scene : examples) scene.facts = rules.relate(scene.scene, relations);
-  const rules::LearnedWeights learned = rules::learn_weights(knowledge, examples);
+  const rules::LearnedWeights learned = rules::learn_weights(knowledge, examples, {.most_of_feature = kMostOfFeature});
   const std::string weights_sql = rules::to_sql(knowledge, learned);
   base.apply_knowledge(weights_sql, "learned weights");
   const std::string scale_sql = probability_scale(base.knowledge(), rules);
