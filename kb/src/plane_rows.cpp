@@ -59,9 +59,9 @@ std::array<double, 4> shares_of(const perception::Plane& plane) {
   return {plane.behind, plane.edge_free, plane.edge_free_top, plane.edge_joined};
 }
 
-std::string placeholders(int count) {
+std::string placeholders(std::ptrdiff_t count) {
   std::string text;
-  for (int i = 0; i < count; ++i) text += i == 0 ? "?" : ", ?";
+  for (std::ptrdiff_t i = 0; i < count; ++i) text += i == 0 ? "?" : ", ?";
   return text;
 }
 
@@ -103,8 +103,9 @@ std::vector<StoredPlane> read_planes(const Database& database, ScanId scan) {
 }
 
 void insert_planes(Database& database, const Scan& scan, const std::vector<perception::Plane>& planes) {
+  const auto columns = 2 + 1 + std::count(kPlaneColumns.begin(), kPlaneColumns.end(), ',');
   Statement insert = database.prepare("INSERT INTO plane (scan_id, number, " + std::string(kPlaneColumns) +
-                                      ") VALUES (" + placeholders(32) + ")");
+                                      ") VALUES (" + placeholders(columns) + ")");
   Statement insert_footprint = database.prepare(kInsertFootprint);
   std::int64_t number = 0;
   for (const perception::Plane& plane : planes) {
