@@ -16,14 +16,20 @@ View Network::view(const BinaryFunction& f, int to) const {
 
 /// Node consistency of one variable: the least cost of its labels goes into the bound, hopeless labels go away.
 bool Network::settle(int v) {
-  Cost least = kTop;
-  for (const int label : live(v)) least = std::min(least, unary(v, label));
+  Cost least = kTop, most = 0;
+  const Cost* const costs = cost_.data() + at(v).first;
+  for (const int label : live(v)) {
+    least = std::min(least, costs[label]);
+    most = std::max(most, costs[label]);
+  }
   if (least > 0) {
     if (least + bound() >= limit_) return fail(v);
     set(0, bound() + least);
     for (const int label : live(v)) set(static_cast<int>(cell(v, label)), unary(v, label) - least);
     bound_rose_ = true;
+    most -= least;
   }
+  if (bound() + most < limit_) return true;
   for (int i = at(v).live - 1; i >= 0; --i) {
     const int label = order_[static_cast<std::size_t>(at(v).first + i)];
     if (bound() + unary(v, label) >= limit_ && !strike(v, label)) return false;

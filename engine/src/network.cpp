@@ -285,6 +285,12 @@ void Network::pop() {
   dirty_cardinalities_.clear();
 }
 
+void Network::save(int cell) {
+  const auto i = static_cast<std::size_t>(cell);
+  saved_at_[i] = stamp_;
+  saved_costs_.push_back({cell, cost_[i]});
+}
+
 void Network::log(int cell) { log_->changed(cell); }
 
 bool Network::strike(int v, int label) {

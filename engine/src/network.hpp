@@ -206,13 +206,11 @@ class Network {
   void set(int cell, Cost cost) {
     const auto i = static_cast<std::size_t>(cell);
     if (cost_[i] == cost) return;
-    if (saved_at_[i] != stamp_ && !marks_.empty()) {
-      saved_at_[i] = stamp_;
-      saved_costs_.push_back({cell, cost_[i]});
-    }
+    if (saved_at_[i] != stamp_ && !marks_.empty()) save(cell);
     cost_[i] = cost;
     if (log_ != nullptr) log(cell);
   }
+  void save(int cell);
   void log(int cell);
   bool fail(int v);
   /// Removes a label that is in no world below the limit, as the costs now show.
@@ -308,6 +306,14 @@ class Network {
   };
   std::vector<Count> counts_;
   std::vector<Cost> potentials_;  ///< of labels inside the function that is being looked at
+  struct Side {                   ///< of a requirement that is being looked at: a member, or in the end the owner
+    int variable, cell;
+    std::size_t first, size;  ///< its live labels in potentials_, prices_, got_
+    Cost least = 0;           ///< what the member costs at least
+    Cost support = kTop;      ///< what it costs as a support on top of that
+  };
+  std::vector<Side> sides_;
+  std::vector<Cost> prices_, got_, after_;
   std::vector<Cost> differences_;
   bool bound_rose_ = false;
   bool shifting_ = true;

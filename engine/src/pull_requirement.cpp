@@ -51,12 +51,11 @@ Cost Network::least_given(const RequirementFunction& f, std::size_t without, int
   for (std::size_t j = 0; j < f.members.size(); ++j) {
     if (j == without) continue;
     const auto& member = f.members[j];
+    const Cost* const shift = cost_.data() + member.cell;
+    const bool pays = rank(member.variable) > above;
     Cost least = kTop;
-    for (const int label : live(member.variable)) {
-      const Cost before = -cost_at(member.cell + label);
-      least = std::min(
-          least, rank(member.variable) > above ? before + available(static_cast<int>(cell(member.variable, label))) : before);
-    }
+    for (const int label : live(member.variable))
+      least = std::min(least, pays ? available(static_cast<int>(cell(member.variable, label))) - shift[label] : -shift[label]);
     scratch_[j] = least;
     sum += least;
   }
