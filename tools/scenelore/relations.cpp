@@ -6,13 +6,16 @@
 
 #include "command_list.hpp"
 #include "exit_code.hpp"
+#include "export/spark_dsg.hpp"
 #include "options.hpp"
-#include "scene_graph.hpp"
 #include "usage_error.hpp"
 
 namespace scenelore::tools {
 
 namespace {
+
+using exports::GraphNode;
+using exports::SceneGraph;
 
 class RelationsCommand : public Command {
  public:
@@ -39,7 +42,7 @@ class RelationsCommand : public Command {
     rules::RuleSet rules = rules_.load(base, file_);
     const SceneGraph graph = graph_of(base, require_scan(base, file_, scan_), rules);
     if (json_ || graphml_ || dsg_) {
-      fmt::print("{}", json_ ? to_json(graph) : graphml_ ? to_graphml(graph) : to_spark_dsg(graph));
+      fmt::print("{}", json_ ? exports::to_json(graph) : graphml_ ? exports::to_graphml(graph) : exports::to_spark_dsg(graph));
       return kOk;
     }
     std::map<kb::PlaneId, std::string> names;
@@ -60,7 +63,8 @@ class RelationsCommand : public Command {
     }
     std::map<kb::PlaneId, kb::Label> labels;
     for (const kb::Label& label : base.labels(scan.id)) labels[label.plane] = label;
-    SceneGraph graph{.scan = scan.name, .nodes = {}, .edges = rules.relate(situation.scene, wanted, {base.facts(scan.id), base.pair_geometry(scan.id)}).facts};
+    SceneGraph graph{.scan = scan.name, .classes = situation.knowledge.classes,
+                     .edges = rules.relate(situation.scene, wanted, {base.facts(scan.id), base.pair_geometry(scan.id)}).facts};
     for (std::size_t i = 0; i < situation.scene.ids.size(); ++i) {
       GraphNode node{.plane = situation.scene.ids[i], .shape = situation.scene.planes[i]};
       if (const auto label = labels.find(node.plane); label != labels.end()) {

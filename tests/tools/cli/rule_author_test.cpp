@@ -5,11 +5,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 
+#include "../export/spark_dsg_reader.hpp"
 #include "command_line.hpp"
 
 namespace scenelore::test {
@@ -87,71 +86,6 @@ TEST_F(RuleAuthor, SeesWhatRulesCostAndDecide) {
   EXPECT_THAT(scenelore({"rules", "profile", "@office.gpkg"}).out, HasSubstr("never decided anything in these scans"));
 }
 
-/// Reads a file as the loader of Spark-DSG does (graph_json_serialization.cpp, json_conversions.h and node_attributes.cpp of
-/// version 1.1, for a file that says 1.0.5): the same fields of the same types, and an exception where that one throws.
-class SparkDsgReader {
- public:
-  explicit SparkDsgReader(const json& record) {
-    const json& header = record.at("SPARK_DSG_header");
-    EXPECT_EQ(header.at("project_name").get<std::string>(), "main");
-    EXPECT_EQ(header.at("version").at("major").get<std::uint8_t>(), 1);
-    EXPECT_EQ(header.at("version").at("minor").get<std::uint8_t>(), 0);  // from 1.1 on: layer_names, and a partition per node
-    EXPECT_EQ(header.at("version").at("patch").get<std::uint8_t>(), 5);
-    EXPECT_FALSE(record.at("directed").get<bool>() || record.at("multigraph").get<bool>());
-    const auto layers = record.at("layer_ids").get<std::vector<std::int64_t>>();
-    EXPECT_EQ(record.at("mesh_layer_id").get<std::int64_t>(), 1);  // 1.0 reads it
-    for (const json& node : record.at("nodes")) {
-      const auto layer = node.at("layer").get<std::int64_t>();
-      EXPECT_NE(std::find(layers.begin(), layers.end(), layer), layers.end()) << "a node of a layer that is not there is refused";
-      EXPECT_FALSE(node.contains("timestamp")) << "would put the node into a layer of agents";
-      EXPECT_TRUE(nodes.emplace(node.at("id").get<std::uint64_t>(), attributes(node.at("attributes"))).second) << "ids are unique";
-    }
-    for (const json& edge : record.at("edges")) {
-      const auto source = edge.at("source").get<std::uint64_t>(), target = edge.at("target").get<std::uint64_t>();
-      EXPECT_TRUE(nodes.contains(source) && nodes.contains(target) && source != target);
-      EXPECT_TRUE(edges.insert(std::minmax(source, target)).second) << "a second edge of a pair is refused";
-      const json& info = edge.at("info");
-      EXPECT_EQ(info.at("type").get<std::string>(), "EdgeAttributes");
-      EXPECT_TRUE(info.at("weighted").get<bool>());
-      EXPECT_TRUE(info.at("weight").get<double>() > 0 && info.at("weight").get<double>() <= 1);
-    }
-  }
-  std::map<std::uint64_t, json> nodes;  // id → attributes
-  std::set<std::pair<std::uint64_t, std::uint64_t>> edges;
-
- private:
-  static void vector3(const json& value) {
-    EXPECT_EQ(value.size(), 3U);
-    for (const json& x : value) EXPECT_TRUE(std::isfinite(x.get<double>()));
-  }
-  static void quaternion(const json& value) {
-    double square = 0;
-    for (const char* part : {"w", "x", "y", "z"}) square += std::pow(value.at(part).get<double>(), 2);
-    EXPECT_NEAR(square, 1, 1e-6);
-  }
-  static json attributes(const json& node) {
-    EXPECT_EQ(node.at("type").get<std::string>(), "ObjectNodeAttributes");  // chooses the C++ class
-    vector3(node.at("position"));
-    (void)node.at("last_update_time_ns").get<std::uint64_t>();
-    (void)node.at("is_active").get<bool>();
-    (void)node.at("is_predicted").get<bool>();  // since 1.0.4
-    (void)node.at("name").get<std::string>();
-    for (const char* channel : {"r", "g", "b", "a"}) EXPECT_LE(node.at("color").at(channel).get<unsigned>(), 255U);  // since 1.0.3
-    const json& box = node.at("bounding_box");
-    EXPECT_EQ(box.at("type").get<std::string>(), "AABB");
-    vector3(box.at("dimensions"));  // since 1.0.3
-    vector3(box.at("world_P_center"));
-    quaternion(box.at("world_R_center"));
-    EXPECT_LE(node.at("semantic_label").get<unsigned>(), 255U);  // one byte in 1.0
-    const json& feature = node.at("semantic_feature");
-    EXPECT_EQ(feature.at("data").size(), feature.at("rows").get<unsigned>() * feature.at("cols").get<unsigned>());
-    EXPECT_TRUE(node.at("mesh_connections").get<std::vector<std::uint64_t>>().empty());
-    (void)node.at("registered").get<bool>();
-    quaternion(node.at("world_R_object"));
-    return node;
-  }
-};
-
 TEST_F(RuleAuthor, ExportsRelationsInThreeFormats) {
   make_labelled();
   const json plain = json::parse(scenelore({"relations", "@office.gpkg", "--json"}).out);
@@ -168,13 +102,20 @@ TEST_F(RuleAuthor, ExportsRelationsInThreeFormats) {
   EXPECT_EQ(count(graphml, "<edge "), std::stoul(stored));
   EXPECT_EQ(count(graphml, "<node "), plain.at("planes").size());
 
-  const SparkDsgReader reader(json::parse(scenelore({"relations", "@office.gpkg", "--dsg"}).out));
-  EXPECT_EQ(reader.nodes.size(), plain.at("planes").size());
-  EXPECT_EQ(reader.edges.size(), std::stoul(ask("office.gpkg", "SELECT count(DISTINCT min(a, b) || ' ' || max(a, b)) FROM relation_fact")));
+  const SparkGraph graph = SparkDsgReader::read(json::parse(scenelore({"relations", "@office.gpkg", "--dsg"}).out));
+  EXPECT_EQ(graph.scan, "office");
+  EXPECT_EQ(graph.nodes.size(), plain.at("planes").size());
+  EXPECT_EQ(graph.facts.size(), plain.at("relations").size());
+  EXPECT_EQ(graph.weights.size(), std::stoul(ask("office.gpkg", "SELECT count(DISTINCT min(a, b) || ' ' || max(a, b)) FROM relation_fact")));
+  EXPECT_EQ(graph.class_names.size(), std::stoul(ask("office.gpkg", "SELECT count(*) FROM object_class")));
   for (const json& plane : plain.at("planes")) {
-    const json& node = reader.nodes.at(plane.at("plane").get<std::uint64_t>() | std::uint64_t{'O'} << 56);
-    EXPECT_EQ(node.at("name"), plane.at("class"));
-    EXPECT_EQ(node.at("position"), plane.at("centroid"));
+    const SparkNode& node = graph.nodes.at(plane.at("plane").get<std::uint64_t>() | std::uint64_t{'O'} << 56);
+    const auto v = [&](const char* field) { return Eigen::Vector3d(plane.at(field)[0], plane.at(field)[1], plane.at(field)[2]); };
+    EXPECT_EQ(node.name, plane.at("class"));
+    EXPECT_EQ(graph.class_names.at(node.label), node.name);
+    EXPECT_EQ(node.position, v("centroid"));
+    EXPECT_NEAR(std::abs((node.rotation * Eigen::Vector3d::UnitZ()).dot(v("normal"))), 1, 1e-9);
+    EXPECT_TRUE(node.box.contains(node.position.cast<float>()));
   }
   EXPECT_EQ(scenelore({"relations", "@office.gpkg", "--json", "--dsg"}).code, 2);
 }

@@ -1,12 +1,10 @@
-#include "scene_graph.hpp"
+#include "export/scene_graph.hpp"
 
 #include <fmt/core.h>
 
-#include <charconv>
-#include <map>
 #include <nlohmann/json.hpp>
 
-namespace scenelore::tools {
+namespace scenelore::exports {
 
 namespace {
 
@@ -26,27 +24,6 @@ std::string escaped(const std::string& text) {
     else if (static_cast<unsigned char>(c) >= 0x20) out += c;
   }
   return out;
-}
-
-/// Spark-DSG's node ids: a letter in the highest byte, a number below.
-std::uint64_t symbol(kb::PlaneId plane) { return (std::uint64_t{'O'} << 56) | static_cast<std::uint64_t>(plane); }
-
-Json color(const std::string& text) {
-  const auto channel = [&](std::size_t at) {
-    int value = 158;
-    if (text.size() == 7) std::from_chars(text.data() + at, text.data() + at + 2, value, 16);
-    return value;
-  };
-  return {{"r", channel(1)}, {"g", channel(3)}, {"b", channel(5)}, {"a", 255}};
-}
-
-Json bounding_box(const perception::Plane& plane) {
-  Eigen::AlignedBox3d box(plane.centroid, plane.centroid);
-  for (const Eigen::Vector3d& corner : plane.hull.outer) box.extend(corner);
-  return {{"type", "AABB"},
-          {"dimensions", vector(box.sizes())},
-          {"world_P_center", vector(box.center())},
-          {"world_R_center", {{"w", 1.0}, {"x", 0.0}, {"y", 0.0}, {"z", 0.0}}}};
 }
 
 }  // namespace
@@ -100,47 +77,4 @@ std::string to_graphml(const SceneGraph& graph) {
   return out + "  </graph>\n</graphml>\n";
 }
 
-std::string to_spark_dsg(const SceneGraph& graph) {
-  Json nodes = Json::array(), edges = Json::array();
-  for (const GraphNode& n : graph.nodes) {
-    const Eigen::Quaterniond& q = n.shape.orientation;
-    nodes.push_back({{"id", symbol(n.plane)},
-                     {"layer", 2},
-                     {"attributes",
-                      {{"type", "ObjectNodeAttributes"},
-                       {"position", vector(n.shape.centroid)},
-                       {"last_update_time_ns", 0},
-                       {"is_active", false},
-                       {"is_predicted", false},
-                       {"name", n.object_class},
-                       {"color", color(n.color)},
-                       {"bounding_box", bounding_box(n.shape)},
-                       {"semantic_label", n.class_id < 0 || n.class_id > 255 ? 255 : n.class_id},
-                       {"semantic_feature", {{"rows", 0}, {"cols", 0}, {"data", Json::array()}}},
-                       {"mesh_connections", Json::array()},
-                       {"registered", false},
-                       {"world_R_object", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}}}}});
-  }
-  std::map<std::pair<kb::PlaneId, kb::PlaneId>, std::vector<const kb::RelationFact*>> pairs;
-  for (const kb::RelationFact& e : graph.edges) pairs[std::minmax(e.a, e.b)].push_back(&e);
-  for (const auto& [pair, facts] : pairs) {
-    double weight = 0;
-    Json relations = Json::array();
-    for (const kb::RelationFact* fact : facts) {
-      weight = std::max(weight, fact->degree);
-      relations.push_back({{"relation", fact->relation}, {"a", symbol(fact->a)}, {"b", symbol(fact->b)}, {"degree", fact->degree}});
-    }
-    edges.push_back({{"source", symbol(pair.first)},
-                     {"target", symbol(pair.second)},
-                     {"info", {{"type", "EdgeAttributes"}, {"weighted", true}, {"weight", weight}, {"relations", std::move(relations)}}}});
-  }
-  return dump({{"SPARK_DSG_header", {{"project_name", "main"}, {"version", {{"major", 1}, {"minor", 0}, {"patch", 5}}}}},
-               {"directed", false},
-               {"multigraph", false},
-               {"layer_ids", {2, 3, 4, 5}},
-               {"mesh_layer_id", 1},
-               {"nodes", std::move(nodes)},
-               {"edges", std::move(edges)}});
-}
-
-}  // namespace scenelore::tools
+}  // namespace scenelore::exports
