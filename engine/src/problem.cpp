@@ -71,6 +71,15 @@ class Inspector {
 
 constexpr std::uint32_t kMostBodies = (1U << 30) - 1;  // memory ends long before
 
+/// Names are short, and there are tens of thousands to compare: without a call.
+bool same_text(const std::string& a, const std::string& b) {
+  if (a.size() != b.size()) return false;
+  const char *const x = a.data(), *const y = b.data();
+  for (std::size_t i = a.size(); i-- > 0;)  // from the end, where neighbours differ
+    if (x[i] != y[i]) return false;
+  return true;
+}
+
 void require_cost(double cost, const std::string& whose) {
   if (!(cost >= 0)) throw Error(whose + ": a cost is " + std::to_string(cost) + "; costs are >= 0, or infinite");
 }
@@ -114,13 +123,11 @@ void Problem::reserve(std::size_t constraints) {
 }
 
 int Problem::add_head(const std::string& name, double weight, std::int64_t reference, Kind kind, std::size_t body) {
-  if (heads_.empty() || names_[heads_.back().name] != name) names_.push_back(name);
-  Head& head = heads_.emplace_back();
-  head.weight = weight;
-  head.reference = reference;
-  head.name = static_cast<std::uint32_t>(names_.size() - 1);
+  if (heads_.empty() || !same_text(names_[heads_.back().name], name)) names_.push_back(name);
+  Head head{weight, reference, static_cast<std::uint32_t>(names_.size() - 1)};
   head.body = static_cast<std::uint32_t>(body) & kMostBodies;
   head.kind = kind;
+  heads_.push_back(head);
   ++revision_;
   return static_cast<int>(heads_.size()) - 1;
 }
@@ -152,9 +159,10 @@ int Problem::add(std::string name, double weight, std::int64_t reference,
 }
 
 int Problem::add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict) {
+  const Variable* const variables = variables_.data();
+  const std::size_t count = variables_.size();
   const auto exists = [&](const Literal& l) {
-    return l.variable >= 0 && l.variable < static_cast<int>(variables_.size()) && l.label >= 0 &&
-           l.label < static_cast<int>(variables_[static_cast<std::size_t>(l.variable)].labels.size());
+    return static_cast<std::size_t>(l.variable) < count && static_cast<std::size_t>(l.label) < variables[l.variable].costs.size();
   };
   if (!(weight > 0 && exists(conflict.a) && exists(conflict.b))) {
     const Inspector inspector(*this, name);

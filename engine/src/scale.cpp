@@ -42,6 +42,11 @@ Scale::Scale(const Problem& problem) {
   double terms = 2 + static_cast<double>(problem.variables().size());
   for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
   for (const ConstraintView constraint : problem.constraints()) {
+    if (constraint.as<Conflict>() != nullptr) {  // most of them
+      if (std::isfinite(constraint.weight)) sum += constraint.weight;
+      terms += 1;
+      continue;
+    }
     sum += worst(problem, constraint);
     const auto* cardinality = constraint.as<Cardinality>();
     terms += cardinality == nullptr ? 1 : static_cast<double>(cardinality->literals.size()) + std::max(cardinality->low, 1);

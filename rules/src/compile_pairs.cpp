@@ -40,21 +40,22 @@ void Compiler::add_pairs(int index, int subject, int other) {
   const bool both = subject == other;
   const FactIndex::Relation facts = row.relation ? index_.relation(*row.relation) : FactIndex::Relation{};
   const auto degree = [&](int a, int b) { return row.relation ? facts.degree(a, b) : 1.0; };
-  const auto back = [&](int a, int b) { return both ? pair_cost(row, b, degree(b, a)) : 0; };
   const Pairs pairs{.row = index, .subjects = literals_of(subject), .others = other < 0 ? std::vector<Literal>{} : literals_of(other)};
   if (!every) {
     for (int a = 0; a < planes(); ++a) {
       if (pairs.subjects[at(a)].label < 0) continue;
       for (const auto& [b, d] : held(row, a)) {
         if (both && b < a && degree(b, a) > 0) continue;  // came from the other side
-        add_pair(pairs, a, b, pair_cost(row, a, d) + back(a, b));
+        add_pair(pairs, a, b, pair_cost(row, a, d) + (both ? pair_cost(row, b, degree(b, a)) : 0));
       }
     }
     return;
   }
   FactIndex::Rising rising(facts, planes());
   const auto take = [&](int a, int b) {
-    if (pairs.subjects[at(a)].label >= 0) add_pair(pairs, a, b, pair_cost(row, a, rising.degree(a, b)) + back(a, b));
+    if (pairs.subjects[at(a)].label < 0) return;
+    const double forth = pair_cost(row, a, rising.degree(a, b));
+    add_pair(pairs, a, b, both ? forth + pair_cost(row, b, rising.degree(b, a)) : forth);
   };
   for (const auto& [a, b] : in_reach_of(reach_of(*row.relation))) {
     take(a, b);

@@ -29,6 +29,7 @@ class Flips {
   }
 
   void add(const engine::ConstraintView& constraint) {
+    if (const auto* conflict = constraint.as<engine::Conflict>()) return add(*conflict, constraint.weight);  // most of them
     constraint.visit([&](const auto& body) { add(body, constraint.weight); });
   }
 

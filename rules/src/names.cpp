@@ -38,12 +38,12 @@ std::string number(double value, int decimals) {
   if (std::isnan(value)) return "nan";
   char text[400];  // the largest number has 309 digits before the point
   const std::to_chars_result end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-  std::string out(text, end.ptr);
-  if (out.find('.') != std::string::npos) {
-    out.erase(out.find_last_not_of('0') + 1);
-    if (out.back() == '.') out.pop_back();
+  std::string_view out(text, static_cast<std::size_t>(end.ptr - text));
+  if (decimals > 0) {
+    out = out.substr(0, out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.remove_suffix(1);
   }
-  return out == "-0" ? "0" : out;
+  return std::string(out == "-0" ? "0" : out);
 }
 
 }  // namespace scenelore::rules
