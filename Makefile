@@ -28,7 +28,7 @@ REAL ?=
 experiments: bench
 	build/bench/bin/experiments docs/experiments $(SETS) 9701 $(REAL)
 
-# Time of `scenelore label` after one changed row and after one edited rule, on nine simulated rooms.
+# Time of `scenelore label` after one changed row and after one edited rule, on eleven simulated rooms.
 relabel: bench
 	build/bench/bin/relabel
 

@@ -1,4 +1,4 @@
-// How long `scenelore label FILE` takes after one changed row, and after one edited rule, the whole command: nine simulated
+// How long `scenelore label FILE` takes after one changed row, and after one edited rule, the whole command: eleven simulated
 // rooms, and any scans given; and how long `scenelore watch FILE --every 10`, which stays in memory, takes after an edited rule.
 // Usage: relabel [SCAN…]. Prints the CPU time (user + system, median of several runs) and the time on the clock, which for
 // `watch` has up to 10 ms in it until it looks again.
@@ -169,6 +169,8 @@ int main(int argc, char** argv) {
     for (const char* room : {"1", "2", "3", "4", "5", "6"}) {
       simulate(std::string("paper room ") + room, {"--seed", "5001", "--paper-room", room});
     }
+    // Seen from three places: 100 planes and more.
+    for (const char* seed : {"6", "16"}) simulate(std::string("three poses ") + seed, {"--seed", seed, "--poses", "3"});
     for (int i = 1; i < argc; ++i) scans.emplace_back(argv[i]);
     fmt::print("{:<24} {:>6} {:>18} {:>18} {:>18}\n{:<24} {:>6} {:>9}{:>9} {:>9}{:>9} {:>9}{:>9}\n", "", "", "after a row", "after a rule",
                "a rule, in watch", "scan", "planes", "CPU ms", "clock", "CPU ms", "clock", "CPU ms", "clock");
