@@ -73,6 +73,7 @@ class Finder {
   FoundRegions found_;
   PointSample sample_;
   std::vector<LocalSurface> surfaces_;  // of the finest voxels
+  std::vector<float> noise_of_voxel_;   // metres
   Pyramid pyramid_;
   Slots slots_;
   std::vector<PlaneFit> planes_;
@@ -87,6 +88,7 @@ void Finder::grow_finest(const SegmentationParameters& parameters) {
   Growth growth = grow_regions(voxels_.grid, surfaces_, noise, kFewestToGrow);
   slots_ = slots_of_voxels(voxels_.grid, growth.region_of_voxel);
   planes_ = std::move(growth.regions);
+  noise_of_voxel_ = noise.of_voxel;
 }
 
 /// What is sparse at one scale is a surface at a wider one: grows regions from the points that no plane has yet. A finest
@@ -141,7 +143,8 @@ void Finder::assign() {
 /// Pieces of one plane become one; what a larger plane explains goes to it.
 void Finder::merge() {
   begin("merging");
-  merge_regions(pyramid_, found_.limits.max_plane_distance / 3, slots_, planes_);
+  const double least_noise = found_.limits.plane_distance_given ? found_.limits.max_plane_distance / 3 : 0;
+  merge_regions(pyramid_, noise_of_regions(slots_, noise_of_voxel_, least_noise, planes_.size()), slots_, planes_);
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
 }
 
@@ -157,8 +160,8 @@ FoundRegions Finder::run() {
   assign();  // what clutter held may belong to what is left
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
-  const std::size_t supports = planes_.size();
   const bool in_detail = found_.voxel < kCoarsestForThings;
+  const std::size_t supports = planes_.size();
   begin("thin objects");
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
   join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);

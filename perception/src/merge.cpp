@@ -10,20 +10,21 @@ namespace {
 
 using Pair = std::pair<std::int32_t, std::int32_t>;
 
-/// How much worse the joint plane is for the part that suffers more, in that part's own deviations; 1 = not worse.
-double joint_deviation(const Moments& a, const Moments& b, double noise) {
+/// How much worse the joint plane is for the part that suffers more, in that part's own deviations; 1 = not worse. A part's
+/// deviation counts as its noise at least: a few exact points would refuse everything.
+double joint_deviation(const Moments& a, double noise_a, const Moments& b, double noise_b) {
   Moments both = a;
   both += b;
   const PlaneFit joint = fit_plane_fast(both);
-  const auto worse = [&](const Moments& part) {
+  const auto worse = [&](const Moments& part, double noise) {
     const double own = std::max(fit_plane_fast(part).variances[0], noise * noise);
     // A small region's own deviation is uncertain; its limit widens with √(2/n) as in growing.
     return std::sqrt(part.mean_squared_distance(joint) / (own * (1 + 2 * std::sqrt(2 / part.n))));
   };
-  return std::max(worse(a), worse(b));
+  return std::max(worse(a, noise_a), worse(b, noise_b));
 }
 
-constexpr double kMostDeviation = 1.25;
+constexpr double kMostDeviation = 1.12;  // the joint plane's over the part's own, beyond chance
 
 /// Trees of regions that have become one; the smallest number stands for all.
 class Joined {
@@ -45,7 +46,7 @@ class Joined {
 };
 
 template <typename Allowed>
-void merge_where(const std::vector<Pair>& pairs, double noise, Allowed allowed, Slots& slots, std::vector<PlaneFit>& planes) {
+void merge_where(const std::vector<Pair>& pairs, std::vector<double> noise, Allowed allowed, Slots& slots, std::vector<PlaneFit>& planes) {
   const std::size_t count = planes.size();
   std::vector<Moments> moments = moments_of_regions(slots, count);
   Joined joined(count);
@@ -56,7 +57,7 @@ void merge_where(const std::vector<Pair>& pairs, double noise, Allowed allowed, 
     for (const Pair& pair : pairs) {
       const std::int32_t a = joined.root(pair.first), b = joined.root(pair.second);
       if (a == b || moments[a].n < 3 || moments[b].n < 3 || !allowed(moments[a], moments[b])) continue;
-      const double deviation = joint_deviation(moments[a], moments[b], noise);
+      const double deviation = joint_deviation(moments[a], noise[a], moments[b], noise[b]);
       if (deviation < kMostDeviation) scored.emplace_back(deviation, Pair{std::min(a, b), std::max(a, b)});
     }
     std::sort(scored.begin(), scored.end());
@@ -67,6 +68,7 @@ void merge_where(const std::vector<Pair>& pairs, double noise, Allowed allowed, 
       if (touched[a] || touched[b]) continue;
       touched[a] = touched[b] = true;
       joined.join(a, b);
+      noise[a] = std::sqrt((moments[a].n * noise[a] * noise[a] + moments[b].n * noise[b] * noise[b]) / (moments[a].n + moments[b].n));
       moments[a] += moments[b];
       changed = true;
     }
@@ -77,8 +79,21 @@ void merge_where(const std::vector<Pair>& pairs, double noise, Allowed allowed, 
 
 }  // namespace
 
-void merge_regions(const Pyramid& pyramid, double noise, Slots& slots, std::vector<PlaneFit>& planes) {
-  merge_where(touching_regions(pyramid, slots, 1), noise, [](const Moments&, const Moments&) { return true; }, slots, planes);
+std::vector<double> noise_of_regions(const Slots& slots, const std::vector<float>& noise_of_voxel, double least, std::size_t count) {
+  std::vector<double> squares(count, 0), points(count, 0);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    const std::int32_t r = slots.region[s];
+    if (r < 0) continue;
+    const double noise = noise_of_voxel[slots.voxel[s]];
+    squares[r] += slots.moments[s].n * noise * noise;
+    points[r] += slots.moments[s].n;
+  }
+  for (std::size_t r = 0; r < count; ++r) squares[r] = points[r] > 0 ? std::max(least, std::sqrt(squares[r] / points[r])) : least;
+  return squares;
+}
+
+void merge_regions(const Pyramid& pyramid, std::vector<double> noise, Slots& slots, std::vector<PlaneFit>& planes) {
+  merge_where(touching_regions(pyramid, slots, 1), std::move(noise), [](const Moments&, const Moments&) { return true; }, slots, planes);
 }
 
 void bridge_shadows(double noise, double smallest, Slots& slots, std::vector<PlaneFit>& planes) {
@@ -98,7 +113,7 @@ void bridge_shadows(double noise, double smallest, Slots& slots, std::vector<Pla
   const auto in_line = [](const Moments& a, const Moments& b) {
     return std::abs(fit_plane_fast(a).normal.dot(fit_plane_fast(b).normal)) > kInLine;
   };
-  merge_where(pairs, noise, in_line, slots, planes);
+  merge_where(pairs, std::vector<double>(planes.size(), noise), in_line, slots, planes);
 }
 
 void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::size_t count, Slots& slots, std::vector<PlaneFit>& planes) {

@@ -170,6 +170,31 @@ TEST(Segment, FindsAKeyboardOnADesk) {
   }
 }
 
+/// A floor that rays graze, which therefore scatters by millimetres, and walls that scatter by a centimetre.
+Scene noisy_walls(std::uint64_t seed) {
+  Scene scene;
+  Random random(seed);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 3, 0), 1500, 0.004, 0, random);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 0, 2.5), 1500, 0.011, 1, random);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(0, 3, 0), Vector(0, 0, 2.5), 1500, 0.011, 2, random);
+  return scene;
+}
+
+TEST(Segment, KeepsThingsOfTwoHeightsApartBesideNoisyWalls) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Scene scene = noisy_walls(seed);
+    Random random(seed + 100);
+    // One plane is within a centimetre or so of both: as near as the walls' points are to the walls, and not these. They slope,
+    // so that nothing is taken for a support with things on it.
+    const Vector down(0, 0.4, -0.2), off = Vector(0, 0.2, 0.4).normalized();
+    scene.add_rectangle(Vector(1, 1, 0.9), Vector(0.5, 0, 0), down, 2500, 0.004, 3, random);
+    scene.add_rectangle(Vector(1.52, 1, 0.9) + 0.03 * off, Vector(0.5, 0, 0), down, 2500, 0.004, 4, random);
+    const std::vector<double> best = best_overlaps(scene, segment(scene.cloud).plane_of_point, 5);
+    EXPECT_GT(best[3], 0.7) << "seed " << seed;
+    EXPECT_GT(best[4], 0.7) << "seed " << seed;
+  }
+}
+
 TEST(Segment, DoesNotTakeABallForAPlane) {
   Scene scene;
   Random random(8);
