@@ -9,6 +9,7 @@
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
+#include "part_gaps.hpp"
 #include "part_outlines.hpp"
 #include "scale.hpp"
 #include "thin_objects.hpp"
@@ -161,6 +162,8 @@ FoundRegions Finder::run() {
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
   const bool in_detail = found_.voxel < kCoarsestForThings;
+  begin("gaps");
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_at_gaps(sample_.cloud, found_.limits, regions); });
   const std::size_t supports = planes_.size();
   begin("thin objects");
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
