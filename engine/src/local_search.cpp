@@ -29,6 +29,7 @@ LocalSearch::LocalSearch(const Outline& outline)
     if (outline.counts[c].condition >= 0) add(outline.counts[c].condition);
     for (const int literal : outline.counts[c].literals) add(literal);
   }
+  find_members();
   std::map<std::pair<int, double>, std::size_t> tables;
   for (std::size_t p = 0; p < outline.pairs.size(); ++p) {
     const Outline::Pair& pair = outline.pairs[p];
@@ -41,6 +42,24 @@ LocalSearch::LocalSearch(const Outline& outline)
     }
     pairs_[index(outline.pairs[p].a)].push_back(static_cast<int>(p));
     pairs_[index(outline.pairs[p].b)].push_back(static_cast<int>(p));
+  }
+}
+
+void LocalSearch::find_members() {
+  std::size_t size = 0;
+  for (int v = 0; v < outline_.variables(); ++v) {
+    first_member_.push_back(size);
+    size += counts_[index(v)].size() * index(outline_.labels(v));
+  }
+  members_.assign(size, 0);
+  std::vector<std::size_t> place(index(outline_.variables()), 0);  // of the count at hand among those of a variable, which ascend
+  for (std::size_t c = 0; c < outline_.counts.size(); ++c) {
+    for (const int literal : outline_.counts[c].literals) {
+      const int v = outline_.variable(literal);
+      std::size_t& at = place[index(v)];
+      while (counts_[index(v)][at] < static_cast<int>(c)) ++at;
+      members_[first_member_[index(v)] + at * index(outline_.labels(v)) + index(outline_.label(literal))] = 1;
+    }
   }
 }
 
@@ -87,11 +106,13 @@ void LocalSearch::start(const std::vector<int>& assignment) {
     labels_ = assignment;
     charged_.assign(outline_.own.size(), {});
     for (std::size_t l = 0; l < charged_.size(); ++l) charged_[l].add(outline_.own[l]);
+    met_.assign(outline_.needs.size(), {});
+    held_.assign(outline_.counts.size(), 0);
   }
   open_.clear();
   for (int v = 0; v < outline_.variables(); ++v) {
     if (fresh)
-      charge(held(v), 1);
+      charge(held(v), 1), join(v, held(v));
     else if (labels_[index(v)] != assignment[index(v)])
       hold(v, assignment[index(v)]);
     const char* const allowed = allowed_.data() + outline_.first_label[index(v)];
@@ -101,8 +122,43 @@ void LocalSearch::start(const std::vector<int>& assignment) {
 
 void LocalSearch::hold(int v, int label) {
   charge(held(v), -1);
+  leave(v, held(v));
   labels_[index(v)] = label;
   charge(held(v), 1);
+  join(v, held(v));
+}
+
+void LocalSearch::join(int v, std::size_t literal) {
+  for (std::size_t u = first_use_[literal]; u < first_use_[literal + 1]; ++u) {
+    const auto& [need, cost] = uses_[u];
+    Met& met = met_[index(need)];
+    if (!met.known || cost >= outline_.needs[index(need)].weight) continue;
+    if (cost < met.best) {
+      met.second = met.best;
+      met.best = cost;
+      met.variable = v;
+    } else {
+      met.second = std::min(met.second, cost);
+    }
+  }
+  const char* member = members_.data() + first_member_[index(v)] + labels_[index(v)];
+  for (const int c : counts_[index(v)]) {
+    held_[index(c)] += *member;
+    member += outline_.labels(v);
+  }
+}
+
+void LocalSearch::leave(int v, std::size_t literal) {
+  for (std::size_t u = first_use_[literal]; u < first_use_[literal + 1]; ++u) {
+    const auto& [need, cost] = uses_[u];
+    Met& met = met_[index(need)];
+    if (met.variable == v || (cost <= met.second && cost < outline_.needs[index(need)].weight)) met.known = false;
+  }
+  const char* member = members_.data() + first_member_[index(v)] + labels_[index(v)];
+  for (const int c : counts_[index(v)]) {
+    held_[index(c)] -= *member;
+    member += outline_.labels(v);
+  }
 }
 
 /// weigh(v) has been called.
@@ -207,23 +263,35 @@ void LocalSearch::weigh(int v) {
   weigh_counts(v);
 }
 
-/// Of the props that hold at other variables.
-Cost LocalSearch::least_prop(const Outline::Need& need, int without) const {
-  Cost least = need.weight;
-  for (const Outline::Prop& prop : outline_.props_of(need))
-    if (prop.cost < least && outline_.variable(prop.literal) != without && holds(prop.literal)) least = prop.cost;
-  return least;
+/// Of the props that hold at other variables. A need may have hundreds of props; few labels change from one look to the next.
+Cost LocalSearch::least_prop(std::size_t number, int without) {
+  Met& met = met_[number];
+  if (!met.known) {
+    const Outline::Need& need = outline_.needs[number];
+    met = {true, -1, need.weight, need.weight};
+    for (const Outline::Prop& prop : outline_.props_of(need)) {
+      if (prop.cost >= met.second || !holds(prop.literal)) continue;
+      if (prop.cost < met.best) {
+        met.second = met.best;
+        met.best = prop.cost;
+        met.variable = outline_.variable(prop.literal);
+      } else {
+        met.second = prop.cost;
+      }
+    }
+  }
+  return met.variable == without ? met.second : met.best;
 }
 
 void LocalSearch::weigh_needs(int v) {
   const std::size_t first = index(outline_.first_label[index(v)]);
   for (std::size_t l = 0; l < prices_.size(); ++l) {
-    for (const Outline::Need& need : outline_.needs_of(static_cast<int>(first + l))) prices_[l].add(least_prop(need, v));
+    for (std::size_t n = outline_.first_need[first + l]; n < outline_.first_need[first + l + 1]; ++n) prices_[l].add(least_prop(n, v));
     for (std::size_t u = first_use_[first + l]; u < first_use_[first + l + 1]; ++u) {
       const auto& [number, cost] = uses_[u];
       const Outline::Need& need = outline_.needs[index(number)];
       if (!holds(need.owner) || outline_.variable(need.owner) == v) continue;
-      const Cost least = least_prop(need, v);
+      const Cost least = least_prop(index(number), v);
       if (cost >= least) continue;
       // All labels would pay `least`; that is left out, and this one gets what it saves.
       prices_[l].add(least, -1);
@@ -234,15 +302,16 @@ void LocalSearch::weigh_needs(int v) {
 
 void LocalSearch::weigh_counts(int v) {
   const std::size_t first = index(outline_.first_label[index(v)]);
-  for (const int c : counts_[index(v)]) {
+  const char* member = members_.data() + first_member_[index(v)];
+  for (std::size_t k = 0; k < counts_[index(v)].size(); ++k, member += prices_.size()) {
+    const int c = counts_[index(v)][k];
     const Outline::Count& count = outline_.counts[index(c)];
     const bool own_condition = count.condition >= 0 && outline_.variable(count.condition) == v;
     if (count.condition >= 0 && !own_condition && !holds(count.condition)) continue;
-    int others = 0;
-    for (const int literal : count.literals) others += outline_.variable(literal) != v && holds(literal) ? 1 : 0;
+    const int others = held_[index(c)] - member[labels_[index(v)]];
     for (std::size_t l = 0; l < prices_.size(); ++l) {
       if (own_condition && count.condition != static_cast<int>(first + l)) continue;
-      const bool counts = std::binary_search(count.literals.begin(), count.literals.end(), static_cast<int>(first + l));
+      const int counts = member[l];
       const int off = std::max({0, count.low - others - counts, others + counts - count.high});
       if (off > 0) prices_[l].add(is_forbidden(count.weight) ? kTop : off * count.weight);
     }

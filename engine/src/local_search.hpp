@@ -67,19 +67,33 @@ class LocalSearch {
   void weigh(int v);
   void weigh_needs(int v);
   void weigh_counts(int v);
-  Cost least_prop(const Outline::Need& need, int without) const;
+  void find_members();
+  Cost least_prop(std::size_t need, int without);
+  /// A literal of v begins or ends to hold.
+  void join(int v, std::size_t literal);
+  void leave(int v, std::size_t literal);
 
   const Outline& outline_;
   std::vector<std::size_t> first_use_;  ///< by literal, in uses_
   std::vector<Use> uses_;
   std::vector<std::vector<int>> counts_, pairs_;  ///< by variable
+  std::vector<std::size_t> first_member_;         ///< by variable, in members_
+  std::vector<char> members_;                     ///< whether a label is counted: by count of the variable, then by label
   std::vector<char> allowed_;                     ///< by literal
   std::vector<std::vector<Cost>> tables_;         ///< of pairs, row-major
   std::vector<std::size_t> table_;                ///< by pair
   std::vector<int> open_;                         ///< variables with two labels or more that are allowed
   std::vector<Price> charged_;                    ///< by literal: its own cost, and conflicts and pairs with labels that hold
   std::vector<Price> prices_;                     ///< by label of the variable at hand
-  std::vector<int> labels_;                       ///< what charged_ is about
+  std::vector<int> labels_;                       ///< what charged_ is about, and the next two
+  /// The cheapest prop of a need that holds, and the cheapest of other variables than its; at most the weight.
+  struct Met {
+    bool known = false;
+    int variable = -1;
+    Cost best = 0, second = 0;
+  };
+  std::vector<Met> met_;    ///< by need
+  std::vector<int> held_;   ///< by count: literals that hold
   std::mt19937_64 random_;  ///< the same sequence for each problem
   Price total_{};                                 ///< since start(): how much dearer than at first
   std::vector<double> shares_;                    ///< of labels, see drawn()
