@@ -309,6 +309,7 @@ void LocalSearch::weigh_counts(int v) {
     const bool own_condition = count.condition >= 0 && outline_.variable(count.condition) == v;
     if (count.condition >= 0 && !own_condition && !holds(count.condition)) continue;
     const int others = held_[index(c)] - member[labels_[index(v)]];
+    if (count.low <= others && others < count.high) continue;  // whatever v holds
     for (std::size_t l = 0; l < prices_.size(); ++l) {
       if (own_condition && count.condition != static_cast<int>(first + l)) continue;
       const int counts = member[l];
