@@ -29,6 +29,8 @@ class IdleRows {
   }
 
   void add_features() {
+    // Those that perception measures may be unknown of a whole scan (where its sensor stood, say): nothing that a person could mend.
+    const std::vector<std::string> measured = kb::built_in_features({}, {}).names;
     for (const kb::ClassFeature& row : knowledge_.class_features) {
       const auto feature = std::find_if(knowledge_.features.begin(), knowledge_.features.end(),
                                         [&](const kb::Feature& f) { return f.name == row.feature; });
@@ -36,6 +38,7 @@ class IdleRows {
       const std::string where = "class_feature row ('" + row.object_class + "', '" + row.feature + "')";
       const std::string leave_out = ", or leave the row out";
       if (!std::binary_search(valued_.begin(), valued_.end(), row.feature)) {
+        if (std::find(measured.begin(), measured.end(), row.feature) != measured.end()) continue;
         note(where, "has no effect: no plane has a value of '" + row.feature + "', since no rule file defines it any more: put the file of "
                     "the feature back" + leave_out);
       } else if (feature->weight <= 0 && !learned_.contains({row.object_class, row.feature})) {

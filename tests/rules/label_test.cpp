@@ -236,6 +236,9 @@ TEST(Check, TellsRowsThatChangeNothingAndTheWayOut) {
   knowledge.settings.clear();
   knowledge.constraints[0].weight.reset();
   EXPECT_EQ(told().size(), 2U) << "the feature that is gone, and the lamp";
+  knowledge.features.push_back({.name = "edge_free", .unit = "1", .low = 0, .high = 1, .weight = 1});
+  knowledge.class_features.push_back({"table", "edge_free", 0.5, 0.1});
+  EXPECT_EQ(told().size(), 2U) << "what is not known of a scan without the sensor's position is nobody's mistake";
 }
 
 TEST(Check, AsksRelationsThatReadTheFeaturesOfLuaFiles) {
