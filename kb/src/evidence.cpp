@@ -1,6 +1,7 @@
 // Pre-classification. Notation: π_C prior of class C, normalised over the classes; F_i weight of feature i; x_i its value.
 //
 //   product:  ln P(C|Φ) = ln π_C + Σ_i F_i ln p(x_i|C) − ln Z                                                      (3)
+//             where class C has kinds, ln of the mixture (5) of mixture.hpp in place of Σ_i F_i ln p(x_i|C)
 //   mean:     P(C|x_i) = p(x_i|C) π_C / Σ_D p(x_i|D) π_D,   P(C|Φ) = Σ_i F_i P(C|x_i) / Σ_i F_i                    (4)
 //
 // (4) is equation 1 of Goldhoorn & Hartanto 2014. Sums run over the features that are known of the plane; without any,
@@ -10,11 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "likelihood.hpp"
+#include "mixture.hpp"
 
 namespace scenelore::kb {
 
@@ -38,11 +41,20 @@ class Model {
   [[nodiscard]] double value(const FeatureModel& model, std::size_t plane) const { return table_.values[plane][model.column]; }
   [[nodiscard]] static double error(const FeatureModel& model, std::size_t plane) { return model.errors == nullptr ? 0 : (*model.errors)[plane]; }
   [[nodiscard]] const std::vector<FeatureModel>& features() const { return features_; }
+  /// The known features of a plane, and what they say about a class by its own rows.
+  [[nodiscard]] std::vector<MixtureInput> inputs(std::size_t plane) const;
+  void ask_about(std::size_t plane, std::size_t object_class, std::vector<MixtureInput>& inputs) const;
+  /// Empty where the class has no kinds.
+  [[nodiscard]] const Mixture& mixture(std::size_t object_class) const { return mixtures_[object_class]; }
+  [[nodiscard]] bool any_kinds() const;
 
  private:
+  void find_mixtures(const Knowledge& knowledge, double outlier_share);
+
   const FeatureTable& table_;
   std::vector<double> log_priors_;
   std::vector<FeatureModel> features_;  // used ones: weight above 0 and a column in the table
+  std::vector<Mixture> mixtures_;       // one a class
 };
 
 // exp and normalise. Returns the probabilities; safe for any finite logarithms.
@@ -110,16 +122,49 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(tab
       features_.back().likelihoods.emplace_back(feature, of.gaussians[like], of.bins[like], outlier_share, features_.back().errors != nullptr);
     }
   }
+  find_mixtures(knowledge, outlier_share);
+}
+
+void Model::find_mixtures(const Knowledge& knowledge, double outlier_share) {
+  std::vector<const Feature*> features;
+  for (const FeatureModel& model : features_) features.push_back(model.feature);
+  for (const ObjectClass& object_class : knowledge.classes) {
+    const auto is_of = [&](const ClassKind& kind) { return kind.object_class == object_class.name; };
+    const auto first = std::find_if(knowledge.kinds.begin(), knowledge.kinds.end(), is_of);
+    const auto last = std::find_if_not(first, knowledge.kinds.end(), is_of);
+    mixtures_.emplace_back(std::span(first, last), features, outlier_share);
+  }
+}
+
+bool Model::any_kinds() const {
+  return std::any_of(mixtures_.begin(), mixtures_.end(), [](const Mixture& mixture) { return !mixture.empty(); });
+}
+
+std::vector<MixtureInput> Model::inputs(std::size_t plane) const {
+  std::vector<MixtureInput> out;
+  for (std::size_t f = 0; f < features_.size(); ++f) {
+    const FeatureModel& model = features_[f];
+    const double x = value(model, plane);
+    if (!std::isnan(x)) out.push_back({f, on_scale(*model.feature, x), error(model, plane), model.feature->weight});
+  }
+  return out;
+}
+
+void Model::ask_about(std::size_t plane, std::size_t object_class, std::vector<MixtureInput>& inputs) const {
+  for (MixtureInput& input : inputs) {
+    const FeatureModel& model = features_[input.feature];
+    input.own = model.likelihoods[object_class].log_density(value(model, plane), input.scaled, input.error);
+  }
 }
 
 // Equation (3).
 std::vector<double> Model::product(std::size_t plane) const {
   std::vector<double> logs = log_priors_;
-  for (const FeatureModel& model : features_) {
-    const double x = value(model, plane);
-    if (std::isnan(x)) continue;
-    const double scaled = on_scale(*model.feature, x), off = error(model, plane);
-    for (std::size_t c = 0; c < logs.size(); ++c) logs[c] += model.feature->weight * model.likelihoods[c].log_density(x, scaled, off);
+  std::vector<MixtureInput> known = inputs(plane);
+  for (std::size_t c = 0; c < logs.size(); ++c) {
+    ask_about(plane, c, known);
+    if (!mixtures_[c].empty()) logs[c] += mixtures_[c].log_density(known);
+    else for (const MixtureInput& input : known) logs[c] += input.weight * input.own;
   }
   return normalised(std::move(logs));
 }
@@ -140,6 +185,32 @@ std::vector<double> Model::mean(std::size_t plane) const {
   if (weights == 0) return normalised(log_priors_);
   for (double& probability : sum) probability /= weights;
   return sum;
+}
+
+// ln Σ_k s_k Π_i p_ik^F_i = Σ_i F_i Σ_k r_k ln p_ik + Σ_k r_k (ln s_k − ln r_k) with r_k the share that kind k has of the sum: what a
+// feature says is the mean of what it says to the kinds, and the rest is how usual these kinds are.                     (6)
+void add_kinds(const Mixture& mixture, const std::vector<MixtureInput>& inputs, std::vector<Contribution>& terms) {
+  Contribution usual{.feature = kKindTerm, .mean = std::numeric_limits<double>::quiet_NaN(), .sigma = std::numeric_limits<double>::quiet_NaN(), .weight = 1};
+  if (!mixture.empty()) {
+    const Responsibilities shares = mixture.responsibilities(inputs);
+    constexpr double kNothing = 1e-12;
+    const int likely = static_cast<int>(std::max_element(shares.begin(), shares.end()) - shares.begin()) - 1;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      terms[i].log_likelihood = 0;
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        if (shares[k] > kNothing) terms[i].log_likelihood += shares[k] * mixture.log_density(inputs[i], static_cast<int>(k) - 1);
+      }
+      if (const KindTerm* const term = mixture.term(likely, inputs[i].feature)) {
+        terms[i].mean = term->mean();
+        terms[i].sigma = term->sigma();
+      }
+    }
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      if (shares[k] > kNothing) usual.log_likelihood += shares[k] * (mixture.log_share(static_cast<int>(k) - 1) - std::log(shares[k]));
+    }
+    usual.value = likely < 0 ? 0 : mixture.number(likely);
+  }
+  terms.push_back(std::move(usual));
 }
 
 // No class is ruled out by evidence alone: −ln P stays finite, so that a constraint or a person can still speak for it.
@@ -166,16 +237,18 @@ std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const F
 std::vector<std::vector<Contribution>> contributions(const Knowledge& knowledge, const FeatureTable& features,
                                                      const std::vector<std::pair<std::size_t, std::size_t>>& entries) {
   const Model model(knowledge, features);
+  const bool kinds = model.any_kinds() && !is_mean(knowledge);
   std::vector<std::vector<Contribution>> result;
   for (const auto& [plane, object_class] : entries) {
+    std::vector<MixtureInput> inputs = model.inputs(plane);
+    model.ask_about(plane, object_class, inputs);
     std::vector<Contribution>& terms = result.emplace_back();
-    for (const FeatureModel& f : model.features()) {
-      const double value = model.value(f, plane), error = Model::error(f, plane);
-      if (std::isnan(value)) continue;
+    for (const MixtureInput& input : inputs) {
+      const FeatureModel& f = model.features()[input.feature];
       const Likelihood& likelihood = f.likelihoods[object_class];
-      terms.push_back({f.feature->name, value, likelihood.mean(), likelihood.sigma(),
-                       likelihood.log_density(value, on_scale(*f.feature, value), error), f.feature->weight, error});
+      terms.push_back({f.feature->name, model.value(f, plane), likelihood.mean(), likelihood.sigma(), input.own, input.weight, input.error});
     }
+    if (kinds) add_kinds(model.mixture(object_class), inputs, terms);
   }
   return result;
 }

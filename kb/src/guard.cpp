@@ -14,8 +14,9 @@ constexpr std::array<std::string_view, 16> kReadingPragmas = {
     "application_id",    "collation_list", "compile_options", "data_version",      "foreign_key_check", "foreign_key_list",
     "function_list",     "index_info",     "index_list",      "index_xinfo",       "integrity_check",
     "quick_check",       "table_info",     "table_list",      "table_xinfo",       "user_version"};
-constexpr std::array<std::string_view, 9> kKnowledgeTables = {
-    "class_constraint", "composite", "composite_part", "class_density", "class_feature", "feature", "object_class", "setting", "truth"};
+constexpr std::array<std::string_view, 11> kKnowledgeTables = {
+    "class_constraint", "class_density", "class_feature", "class_kind", "composite", "composite_part", "feature", "kind_feature", "object_class",
+    "setting", "truth"};
 constexpr std::array<std::string_view, 2> kPragmasWithoutValue = {"application_id", "user_version"};  // a value would write
 
 template <typename List>

@@ -80,6 +80,25 @@ std::vector<ClassDensity> in_order(std::vector<ClassDensity> bins) {
   return out;
 }
 
+std::vector<ClassKind> read_kinds(const Database& database) {
+  auto kinds = rows<ClassKind>(database, "SELECT class, kind, share, description FROM class_kind ORDER BY class, kind", [](const Statement::Use& row) {
+    return ClassKind{row.text(0), static_cast<int>(row.integer(1)), row.real(2), row.text(3), {}};
+  });
+  Statement features = database.prepare("SELECT class, kind, feature, mean, sigma FROM kind_feature ORDER BY class, kind, feature");
+  auto kind = kinds.begin();
+  for (auto row = features.use(); row.next();) {
+    const std::string object_class = row.text(0);
+    const std::int64_t number = row.integer(1);
+    while (kind != kinds.end() && std::tie(kind->object_class, kind->number) < std::tie(object_class, number)) ++kind;
+    if (kind == kinds.end() || kind->object_class != object_class || kind->number != number) {  // written with foreign keys switched off
+      throw Error(database.name() + ": kind_feature row ('" + object_class + "', " + std::to_string(number) + ", '" + row.text(2) +
+                  "'): there is no such row in class_kind");
+    }
+    kind->features.push_back({row.text(2), row.real(3), row.real(4)});
+  }
+  return kinds;
+}
+
 }  // namespace
 
 Knowledge read_knowledge(const Database& database) {
@@ -101,6 +120,7 @@ Knowledge read_knowledge(const Database& database) {
   knowledge.class_densities = in_order(rows<ClassDensity>(
       database, "SELECT class, feature, low, high, density FROM class_density NOT INDEXED",
       [](const Use& row) { return ClassDensity{row.text(0), row.text(1), row.real(2), row.real(3), row.real(4)}; }));
+  knowledge.kinds = read_kinds(database);
   knowledge.constraints = rows<ClassConstraint>(
       database,
       "SELECT id, name, class, quantifier, relation, other_class, count, weight, message, enabled FROM class_constraint "
@@ -164,6 +184,11 @@ std::string hash_knowledge(const Knowledge& knowledge) {
   for (const ClassFeature& g : knowledge.class_features) add(g.object_class)(g.feature)(g.mean)(g.sigma);
   add("class_density");
   for (const ClassDensity& d : knowledge.class_densities) add(d.object_class)(d.feature)(d.low)(d.high)(d.density);
+  add("class_kind");
+  for (const ClassKind& kind : knowledge.kinds) {
+    add(kind.object_class)(kind.number)(kind.share)(kind.description);
+    for (const KindFeature& f : kind.features) add(f.feature)(f.mean)(f.sigma);
+  }
   add("setting");
   for (const auto& [key, value] : knowledge.settings) add(key)(value);
   add("class_constraint");

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "density_fit.hpp"
+#include "kind_fit.hpp"
 #include "likelihood.hpp"
 #include "scenelore/kb/error.hpp"
 #include "scenelore/kb/suggest.hpp"
@@ -89,6 +93,30 @@ void fit_feature(LearnedClass& learned, const Feature& feature, const std::vecto
   }
 }
 
+// Of the features that count; circular ones stay with the class's own rows.
+std::vector<ClassKind> kinds_of(const Knowledge& knowledge, const LabelledPlanes& planes, const ObjectClass& of, const LearnOptions& options) {
+  std::vector<const Feature*> features;
+  std::vector<std::size_t> columns;
+  for (const Feature& feature : knowledge.features) {
+    const auto found = std::find(planes.features.names.begin(), planes.features.names.end(), feature.name);
+    if (found == planes.features.names.end() || feature.weight <= 0 || feature.scale == Scale::circular) continue;
+    features.push_back(&feature);
+    columns.push_back(static_cast<std::size_t>(found - planes.features.names.begin()));
+  }
+  std::vector<KindExample> examples;
+  for (std::size_t p = 0; p < planes.classes.size(); ++p) {
+    if (planes.classes[p] != of.name) continue;
+    KindExample& example = examples.emplace_back();
+    for (std::size_t f = 0; f < features.size(); ++f) {
+      const double value = planes.features.values[p][columns[f]];
+      example.push_back(std::isfinite(value) ? on_scale(*features[f], value) : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  std::vector<ClassKind> present;
+  std::copy_if(knowledge.kinds.begin(), knowledge.kinds.end(), std::back_inserter(present), [&](const ClassKind& kind) { return kind.object_class == of.name; });
+  return fit_kinds(of.name, std::move(examples), features, present, of.fallback ? options.most_kinds_of_fallback : options.most_kinds, options);
+}
+
 // The mean of a Dirichlet posterior: (n_C + k π_C) / (n + k), π the present priors.
 void fit_priors(const Knowledge& knowledge, const LearnOptions& options, std::vector<LearnedClass>& classes) {
   double priors = 0, examples = 0;
@@ -123,6 +151,8 @@ LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, cons
       const std::vector<double> values = examples_of(planes, c.name, column, feature);
       if (static_cast<int>(values.size()) >= options.min_examples) fit_feature(learned, feature, values, present_rows(knowledge, c.name, feature), options);
     }
+    learned.kinds = kinds_of(knowledge, planes, c, options);
+    if (!learned.kinds.empty() && !c.fallback) learned.densities.clear();  // kinds say more; the fallback class speaks for classes without rows, too
   }
   fit_priors(knowledge, options, rows.classes);
   return rows;
@@ -134,8 +164,9 @@ Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows) {
     if (c >= 0) knowledge.classes[static_cast<std::size_t>(c)].prior = learned.prior;
     std::set<std::string> replaced;
     for (const ClassDensity& row : learned.densities) replaced.insert(row.feature);
-    std::erase_if(knowledge.class_densities,
-                  [&](const ClassDensity& row) { return row.object_class == learned.object_class && replaced.contains(row.feature); });
+    std::erase_if(knowledge.class_densities, [&](const ClassDensity& row) {
+      return row.object_class == learned.object_class && (learned.kinds_replace_densities() || replaced.contains(row.feature));
+    });
     knowledge.class_densities.insert(knowledge.class_densities.end(), learned.densities.begin(), learned.densities.end());
     for (const ClassFeature& row : learned.gaussians) {
       const auto same = [&](const ClassFeature& old) { return old.object_class == row.object_class && old.feature == row.feature; };
@@ -143,7 +174,12 @@ Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows) {
       if (found == knowledge.class_features.end()) knowledge.class_features.push_back(row);
       else *found = row;
     }
+    if (learned.gaussians.empty()) continue;  // it keeps its rows
+    std::erase_if(knowledge.kinds, [&](const ClassKind& kind) { return kind.object_class == learned.object_class; });
+    knowledge.kinds.insert(knowledge.kinds.end(), learned.kinds.begin(), learned.kinds.end());
   }
+  std::stable_sort(knowledge.kinds.begin(), knowledge.kinds.end(),
+                   [](const ClassKind& a, const ClassKind& b) { return std::tie(a.object_class, a.number) < std::tie(b.object_class, b.number); });
   return knowledge;
 }
 

@@ -36,6 +36,24 @@ std::string densities_sql(const LearnedClass& learned) {
   return sql.empty() ? sql : sql + ";\n";
 }
 
+// One INSERT for the kinds and one for each kind's features.
+std::string kinds_sql(const LearnedClass& learned) {
+  if (learned.gaussians.empty()) return "";
+  std::string sql = fmt::format("DELETE FROM class_kind WHERE class = {};\n", quoted(learned.object_class));
+  if (learned.kinds_replace_densities()) sql += fmt::format("DELETE FROM class_density WHERE class = {};\n", quoted(learned.object_class));
+  for (const ClassKind& kind : learned.kinds) {
+    sql += fmt::format("INSERT INTO class_kind (class, kind, share, description) VALUES ({}, {}, {:.4g}, {});\n", quoted(kind.object_class), kind.number,
+                       kind.share, quoted(kind.description));
+    sql += "INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES\n";
+    for (std::size_t f = 0; f < kind.features.size(); ++f) {
+      const KindFeature& row = kind.features[f];
+      sql += fmt::format("  ({}, {}, {}, {:.4g}, {:.4g}){}\n", quoted(kind.object_class), kind.number, quoted(row.feature), row.mean, row.sigma,
+                         f + 1 < kind.features.size() ? "," : ";");
+    }
+  }
+  return sql;
+}
+
 }  // namespace
 
 std::string to_sql(const LearnedRows& rows) {
@@ -46,6 +64,7 @@ std::string to_sql(const LearnedRows& rows) {
     sql += fmt::format("UPDATE object_class SET prior = {:.4g} WHERE name = {};\n", learned.prior, quoted(learned.object_class));
     for (const ClassFeature& row : learned.gaussians) sql += gaussian_sql(row);
     sql += densities_sql(learned);
+    sql += kinds_sql(learned);
   }
   return sql;
 }

@@ -6,12 +6,6 @@
 
 namespace scenelore::kb {
 
-namespace {
-
-constexpr double kTail = 4;  // how much wider odd values scatter than usual ones
-
-}  // namespace
-
 double log_add(double a, double b) {
   const double high = std::max(a, b), low = std::min(a, b);
   if (low - high < -40 && std::abs(high) > 0.1) return high;  // e^-40 is less than half of the last digit: the same bits, sooner

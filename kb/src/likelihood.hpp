@@ -13,6 +13,9 @@ namespace scenelore::kb {
 /// keeps the logarithm finite where that is 0.
 inline constexpr double kLogDensityFloor = -13.815510557964274;  // ln 1e-6
 
+/// How much wider odd values scatter than usual ones: k of (1).
+inline constexpr double kTail = 4;
+
 /// A value on the scale of its feature: ln x for log (values below `low`, zero and negative ones too, count as `low`,
 /// since a logarithm has no smaller sensible value), x itself else.
 [[nodiscard]] double on_scale(const Feature& feature, double value);

@@ -18,13 +18,25 @@ std::string guarded(const std::string& table, const std::string& columns, const 
                      "AND {3} IN (SELECT name FROM feature);\n", table, columns, quoted(object_class), quoted(feature), values);
 }
 
+std::string kind_snapshot(const ClassKind& kind) {
+  std::string sql = fmt::format("INSERT INTO class_kind (class, kind, share, description) SELECT {0}, {1}, {2}, {3} WHERE {0} IN (SELECT name FROM object_class);\n",
+                                quoted(kind.object_class), kind.number, number(kind.share), quoted(kind.description));
+  for (const KindFeature& row : kind.features) {
+    sql += fmt::format("INSERT INTO kind_feature (class, kind, feature, mean, sigma) SELECT {0}, {1}, {2}, {3}, {4} "
+                       "WHERE {0} IN (SELECT name FROM object_class) AND {2} IN (SELECT name FROM feature);\n",
+                       quoted(kind.object_class), kind.number, quoted(row.feature), number(row.mean), number(row.sigma));
+  }
+  return sql;
+}
+
 }  // namespace
 
 std::string snapshot_sql(const Knowledge& knowledge) {
   std::string sql;
   for (const ObjectClass& c : knowledge.classes) {
     sql += fmt::format("UPDATE object_class SET prior = {} WHERE name = {};\n", number(c.prior), quoted(c.name));
-    sql += fmt::format("DELETE FROM class_feature WHERE class = {0};\nDELETE FROM class_density WHERE class = {0};\n", quoted(c.name));
+    sql += fmt::format("DELETE FROM class_feature WHERE class = {0};\nDELETE FROM class_density WHERE class = {0};\n"
+                       "DELETE FROM class_kind WHERE class = {0};\n", quoted(c.name));
   }
   for (const Feature& f : knowledge.features) {
     sql += fmt::format("UPDATE feature SET weight = {} WHERE name = {};\n", number(f.weight), quoted(f.name));
@@ -45,6 +57,7 @@ std::string snapshot_sql(const Knowledge& knowledge) {
     sql += guarded("class_density", "low, high, density", row.object_class, row.feature,
                    number(row.low) + ", " + number(row.high) + ", " + number(row.density));
   }
+  for (const ClassKind& kind : knowledge.kinds) sql += kind_snapshot(kind);
   return sql;
 }
 

@@ -8,6 +8,8 @@ namespace scenelore::kb {
 
 namespace {
 
+constexpr double kRounding = 1e-3;  // shares are written with four digits
+
 // Collects what the checks share: the names that exist, and how an error is worded.
 class Checker {
  public:
@@ -51,6 +53,25 @@ class Checker {
       if (!follows) feature = find_feature(bin.feature);
       if (!good_bin(bin, feature, follows ? previous : nullptr)) explain_bin(bin, feature, follows ? previous : nullptr);
       previous = &bin;
+    }
+  }
+
+  void check_kinds() const {
+    double shares = 0;
+    const ClassKind* previous = nullptr;
+    for (const ClassKind& kind : knowledge_.kinds) {  // by class, number
+      const std::string row = "class_kind row ('" + kind.object_class + "', " + std::to_string(kind.number) + ")";
+      need_class(row, kind.object_class);
+      need(std::isfinite(kind.share) && kind.share > 0, row, "share must be above 0");
+      shares = kind.share + (previous != nullptr && previous->object_class == kind.object_class ? shares : 0);
+      need(shares <= 1 + kRounding, row, "with it the shares of the class's kinds add up to more than 1");
+      for (const KindFeature& g : kind.features) {
+        const std::string of = "kind_feature row ('" + kind.object_class + "', " + std::to_string(kind.number) + ", '" + g.feature + "')";
+        check_pair(of, kind.object_class, g.feature);
+        need(std::isfinite(g.sigma) && g.sigma > 0, of, "sigma must be above 0");
+        need(std::isfinite(g.mean), of, "mean must be a number");
+      }
+      previous = &kind;
     }
   }
 
@@ -165,6 +186,7 @@ void validate(const Knowledge& knowledge, const std::string& file_name) {
   checker.check_classes();
   checker.check_features();
   checker.check_densities();
+  checker.check_kinds();
   checker.check_constraints();
   checker.check_composites();
   checker.check_settings();

@@ -23,7 +23,7 @@ constexpr double kLeastRow = 0.01;
 /// Soft rows of the table class_constraint; what composites and Lua files ask for (ids below 0) keeps its weight.
 bool is_learned(const kb::ClassConstraint& row) { return row.enabled && row.id >= 0 && row.weight && *row.weight > 0; }
 
-/// Where the weights stand in the vector of parameters: features that count, then classes, then soft rows.
+/// Where the weights stand in the vector of parameters: features that count, then classes, then soft rows, then kinds.
 struct Layout {
   std::vector<int> features, rows;  // index into the knowledge
   std::size_t classes = 0;
@@ -39,7 +39,9 @@ struct Layout {
   }
   [[nodiscard]] std::size_t first_class() const { return features.size(); }
   [[nodiscard]] std::size_t first_row() const { return features.size() + classes; }
-  [[nodiscard]] std::size_t size() const { return first_row() + rows.size(); }
+  /// How usual the kinds are that a plane looks like, which has no weight of its own: its parameter stays 1.
+  [[nodiscard]] std::size_t of_kinds() const { return first_row() + rows.size(); }
+  [[nodiscard]] std::size_t size() const { return of_kinds() + 1; }
 };
 
 /// Class by plane, −1 = not known.
@@ -53,7 +55,8 @@ std::vector<int> true_classes(const kb::Knowledge& knowledge, const LabelledScen
   return out;
 }
 
-/// What the features say about every class of every plane: [plane][class][feature of the layout].
+/// What the features say about every class of every plane: [plane][class][feature of the layout, then what is said by kinds]. Where
+/// classes have kinds it depends on the present weights, as in expectation maximisation.
 using Terms = std::vector<std::vector<std::vector<double>>>;
 
 Terms feature_terms(const kb::Knowledge& knowledge, const Layout& layout, const kb::FeatureTable& table) {
@@ -61,10 +64,11 @@ Terms feature_terms(const kb::Knowledge& knowledge, const Layout& layout, const 
   for (std::size_t p = 0; p < table.values.size(); ++p) {
     for (std::size_t c = 0; c < layout.classes; ++c) entries.emplace_back(p, c);
   }
-  Terms out(table.values.size(), std::vector<std::vector<double>>(layout.classes, std::vector<double>(layout.features.size(), 0.0)));
+  Terms out(table.values.size(), std::vector<std::vector<double>>(layout.classes, std::vector<double>(layout.features.size() + 1, 0.0)));
   const auto contributions = kb::contributions(knowledge, table, entries);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     for (const kb::Contribution& term : contributions[e]) {
+      if (term.feature == kb::kKindTerm) out[entries[e].first][entries[e].second].back() = term.log_likelihood;
       for (std::size_t f = 0; f < layout.features.size(); ++f) {
         if (knowledge.features[at(layout.features[f])].name == term.feature) out[entries[e].first][entries[e].second][f] = term.log_likelihood;
       }
@@ -94,8 +98,9 @@ void add_examples(const kb::Knowledge& knowledge, const Layout& layout, const La
     Example example;
     example.truth = truth[p];
     for (std::size_t c = 0; c < layout.classes; ++c) {
-      std::vector<double> x = terms[p][c];
+      std::vector<double> x(terms[p][c].begin(), terms[p][c].end() - 1);
       x.resize(layout.size(), 0.0);
+      x[layout.of_kinds()] = terms[p][c].back();
       x[layout.first_class() + c] = 1;
       const std::size_t label = at(compiled.label_of_class[variable][c]);
       for (std::size_t r = 0; r < layout.rows.size(); ++r) {
@@ -112,6 +117,7 @@ std::vector<double> parameters_of(const kb::Knowledge& knowledge, const Layout& 
   for (const int f : layout.features) out.push_back(knowledge.features[at(f)].weight);
   for (const kb::ObjectClass& c : knowledge.classes) out.push_back(std::log(c.prior));
   for (const int row : layout.rows) out.push_back(*knowledge.constraints[at(row)].weight);
+  out.push_back(1);
   return out;
 }
 
@@ -138,16 +144,13 @@ std::vector<int> classes_of(const LabellingProblem& compiled, const std::vector<
 LearnedWeights learn_weights(const kb::Knowledge& knowledge, std::span<const LabelledScene> scenes, const LearnWeightsOptions& options) {
   const Layout layout(knowledge);
   std::vector<std::vector<int>> truths;
-  std::vector<Terms> terms;
-  for (const LabelledScene& scene : scenes) {
-    truths.push_back(true_classes(knowledge, scene));
-    terms.push_back(feature_terms(knowledge, layout, scene.scene.features));
-  }
+  for (const LabelledScene& scene : scenes) truths.push_back(true_classes(knowledge, scene));
   const std::vector<double> present = parameters_of(knowledge, layout);
   LogLinearFit fit{.start = present, .strength = options.strength, .low = std::vector<double>(present.size(), 0.0),
                    .high = std::vector<double>(present.size(), options.most), .free = layout.first_class(), .frees = layout.classes};
   std::fill(fit.high.begin(), fit.high.begin() + static_cast<std::ptrdiff_t>(layout.first_class()), options.most_of_feature);
   std::fill(fit.low.begin() + static_cast<std::ptrdiff_t>(layout.first_row()), fit.low.end(), kLeastRow);
+  fit.low.back() = fit.high.back() = 1;
   std::vector<double> parameters = present, log_likelihood;
   for (std::size_t f = 0; f < layout.first_class(); ++f) parameters[f] = std::min(parameters[f], options.most_of_feature);
   for (int round = 0; round < options.rounds; ++round) {
@@ -156,6 +159,7 @@ LearnedWeights learn_weights(const kb::Knowledge& knowledge, std::span<const Lab
     for (std::size_t s = 0; s < scenes.size(); ++s) {
       const LabelledScene& scene = scenes[s];
       const auto evidence = kb::preclassify(now, scene.scene.features);
+      const Terms terms = feature_terms(now, layout, scene.scene.features);
       const LabellingProblem compiled = compile(now, scene.scene, evidence, scene.facts, {});
       const engine::Solution best = engine::Solver(compiled.problem, options.solver).solve();
       if (best.assignment.empty()) continue;
@@ -164,8 +168,8 @@ LearnedWeights learn_weights(const kb::Knowledge& knowledge, std::span<const Lab
       for (std::size_t p = 0; p < truth.size(); ++p) {
         if (truths[s][p] >= 0) truth[p] = truths[s][p];
       }
-      add_examples(now, layout, compiled, terms[s], truth, truths[s], examples);
-      add_examples(now, layout, compiled, terms[s], predicted, truths[s], examples);
+      add_examples(now, layout, compiled, terms, truth, truths[s], examples);
+      add_examples(now, layout, compiled, terms, predicted, truths[s], examples);
     }
     log_likelihood.push_back(fit_log_linear(examples, fit, parameters));
   }

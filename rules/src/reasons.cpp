@@ -26,6 +26,7 @@ const kb::Feature* find_feature(const kb::Knowledge& knowledge, const std::strin
 /// "tilt_deg 6.3 ± 4.2 deg (typical 0.77 ± 0.63)": the value and its standard error, then the class's. μ on a log scale is that of ln x.
 std::string describe_feature(const kb::Knowledge& knowledge, const FeatureReason& reason) {
   const kb::Reason::Term& c = reason.term;
+  if (c.feature == kb::kKindTerm) return c.value > 0 ? "how usual kind " + number(c.value) + " is" : "how usual it is to be of no kind";
   const kb::Feature* feature = find_feature(knowledge, c.feature);
   std::string out = c.feature + " " + number(c.value, 2) + (reason.error >= 0.05 ? " ± " + number(reason.error, 1) : "");
   if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out += " " + feature->unit;

@@ -126,6 +126,18 @@ TEST_F(Query, OverlappingBinsAreRefused) {
   EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("class_density row ('table', 'height', low 0.9"), HasSubstr("overlaps")));
 }
 
+TEST_F(Query, KindsThatCannotBeAreNamed) {
+  shell("DELETE FROM class_kind WHERE class = 'table'");
+  EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("kind_feature row ('table', 1, 'area_m2')"), HasSubstr("no such row in class_kind")));
+  shell("DELETE FROM kind_feature WHERE class = 'table'; INSERT INTO class_kind (class, kind, share) VALUES ('table', 1, 0.7), ('table', 2, 0.4)");
+  EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("class_kind row ('table', 2)"), HasSubstr("add up to more than 1")));
+  shell("UPDATE class_kind SET share = 0.3 WHERE class = 'table' AND kind = 2; INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES ('table', 1, 'heigt', 1, 1)");
+  EXPECT_THAT(knowledge_error(), HasSubstr("kind_feature row ('table', 1, 'heigt'): feature 'heigt' does not exist; did you mean 'height'?"));
+  shell("DELETE FROM kind_feature WHERE class = 'table'; INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES ('table', 1, 'height', 1, 1)");
+  shell("PRAGMA ignore_check_constraints = 1; UPDATE kind_feature SET sigma = 0 WHERE class = 'table'");
+  EXPECT_THAT(knowledge_error(), HasSubstr("kind_feature row ('table', 1, 'height'): sigma must be above 0"));
+}
+
 TEST_F(Query, AWrongSettingIsNamed) {
   shell("PRAGMA ignore_check_constraints = 1; UPDATE setting SET value = 'lots' WHERE key = 'outlier_share'");
   EXPECT_THAT(knowledge_error(), HasSubstr("setting row 'outlier_share': 'lots' must be a number from 0.0 to 0.5"));

@@ -47,8 +47,8 @@ void print_classes(const kb::Knowledge& before, const Learned& learned) {
   for (std::size_t c = 0; c < before.classes.size(); ++c) {
     const kb::LearnedClass& rows = learned.rows.classes[c];
     if (rows.examples == 0) continue;
-    fmt::print("{:<14} {:>8}  {:>6.3f} {:>6.3f}  {} Gaussians, {} bins of densities\n", rows.object_class, rows.examples, before.classes[c].prior / sum,
-               learned.knowledge.classes[c].prior, rows.gaussians.size(), rows.densities.size());
+    fmt::print("{:<14} {:>8}  {:>6.3f} {:>6.3f}  {} Gaussians, {} bins of densities, {} kinds\n", rows.object_class, rows.examples,
+               before.classes[c].prior / sum, learned.knowledge.classes[c].prior, rows.gaussians.size(), rows.densities.size(), rows.kinds.size());
   }
 }
 
@@ -167,7 +167,8 @@ class LearnCommand : public Command {
     for (std::size_t c = 0; c < before.classes.size(); ++c) {
       const kb::LearnedClass& rows = learned.rows.classes[c];
       classes.push_back({{"class", rows.object_class}, {"labelled", rows.examples}, {"prior_before", before.classes[c].prior},
-                         {"prior_after", learned.knowledge.classes[c].prior}, {"gaussians", rows.gaussians.size()}, {"bins", rows.densities.size()}});
+                         {"prior_after", learned.knowledge.classes[c].prior}, {"gaussians", rows.gaussians.size()}, {"bins", rows.densities.size()},
+                         {"kinds", rows.kinds.size()}});
     }
     for (const learning::Suspect& s : learned.suspects) {
       suspects.push_back({{"scan", s.scan}, {"plane", s.plane}, {"labelled", s.labelled}, {"seems", s.seems}, {"probability", s.probability}});

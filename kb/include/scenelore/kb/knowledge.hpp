@@ -41,6 +41,21 @@ struct ClassDensity {
   double low = 0, high = 0, density = 0;
 };
 
+/// Gaussian of one feature of one kind, as ClassFeature.
+struct KindFeature {
+  std::string feature;
+  double mean = 0, sigma = 1;
+};
+
+/// One of the things that a class looks like: all its Gaussians hold together.
+struct ClassKind {
+  std::string object_class;
+  int number = 1;    ///< 1, 2, … within the class
+  double share = 1;  ///< of the class's planes, in (0, 1]; what the kinds of a class leave over of 1 is judged by the class's own rows
+  std::string description;
+  std::vector<KindFeature> features;  ///< by name; the class's own rows judge those that are missing
+};
+
 enum class Quantifier { some, every, no, at_most, at_least };
 
 struct ClassConstraint {
@@ -85,6 +100,7 @@ struct Knowledge {
   std::vector<Feature> features;           ///< by name
   std::vector<ClassFeature> class_features;
   std::vector<ClassDensity> class_densities;
+  std::vector<ClassKind> kinds;              ///< by class (name), number
   std::vector<ClassConstraint> constraints;  ///< by id, disabled ones too; the needs of composites after them (ids below −999,999)
   std::vector<Composite> composites;         ///< by id
   std::map<std::string, std::string> settings;

@@ -26,6 +26,11 @@ struct LearnOptions {
   double prior_strength = 30;      ///< pretended planes distributed like the present priors
   bool priors = true;              ///< false: examples were picked, their shares mean nothing; priors stay
   int bins = 20;                   ///< at most, of each histogram
+  int examples_per_kind = 12;      ///< a class gets a kind for so many, if that makes two
+  int most_kinds = 10;             ///< of a class
+  int most_kinds_of_fallback = 40;  ///< of the fallback class, which is everything else
+  double min_of_kind = 5;          ///< examples; kinds that keep fewer are given up
+  double kind_share = 0.95;        ///< of a class that has kinds; the rest is judged by its own rows, so that what is like none is not ruled out
   double outliers = 0.02;          ///< share of examples that may lie outside, half at either end, without moving the fit
 };
 
@@ -35,6 +40,9 @@ struct LearnedClass {
   double prior = 0;                          ///< share of planes
   std::vector<ClassFeature> gaussians;       ///< empty when there were too few examples
   std::vector<ClassDensity> densities;
+  std::vector<ClassKind> kinds;              ///< empty where there were too few examples for two
+  /// Kinds stand in for all histograms of the class, but of the fallback class: its own rows speak where other classes have none.
+  [[nodiscard]] bool kinds_replace_densities() const { return !kinds.empty() && densities.empty(); }
 };
 
 /// By class id; features in the knowledge's order.
@@ -46,7 +54,7 @@ struct LearnedRows {
 /// Fits, for each class and each feature of the knowledge that counts (weight above 0) and that the table has, a Gaussian (on the feature's
 /// scale, robust to outliers) and a histogram (kernel estimate, shrunk for small n: towards that Gaussian, and by present_strength
 /// towards the present rows; both Gaussians then join as conjugate ones do, Murphy 2007, section 3). The fallback class is
-/// learned like any other. Deterministic; the order of planes does not matter but for rounding.
+/// learned like any other. A class with enough examples is divided into kinds (kind_fit.hpp), which replace its histograms. Deterministic; the order of planes does not matter but for rounding.
 /// Throws Error for a class that the knowledge lacks, and for sizes that do not fit.
 [[nodiscard]] LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options = {});
 

@@ -1,0 +1,204 @@
+// Kinds of classes: evidence of mixtures against closed forms, and kinds learned from classes that are several things.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "rooms.hpp"
+#include "scenelore/kb/error.hpp"
+#include "scenelore/kb/learn.hpp"
+#include "scenelore/kb/knowledge_base.hpp"
+
+namespace scenelore::kb {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+double normal(double x, double mean, double sigma) {
+  return std::exp(-0.5 * std::pow((x - mean) / sigma, 2)) / (sigma * std::sqrt(2 * std::numbers::pi));
+}
+
+// Class a has two kinds, which differ in height and size together; the second has no row for size.
+Knowledge two_kinds() {
+  Knowledge k;
+  k.classes = {{0, "unknown", 1, "", "#000000", true}, {1, "a", 1, "", "#000000", false}};
+  k.features = {{"height", "m", Scale::linear, 0, 4, 0.8, ""}, {"size", "m", Scale::log, 0.1, 10, 0.5, ""}};
+  k.class_features = {{"a", "height", 1, 0.6}, {"a", "size", 0, 0.4}};
+  k.kinds = {{"a", 1, 0.5, "low", {{"height", 0.4, 0.1}, {"size", 0.7, 0.2}}}, {"a", 2, 0.3, "high", {{"height", 1.6, 0.2}}}};
+  return k;
+}
+
+double expected(double height, double size) {
+  const double ln = std::log(size), own_size = std::pow(normal(ln, 0, 0.4), 0.5);
+  return 0.2 * std::pow(normal(height, 1, 0.6), 0.8) * own_size +
+         0.5 * std::pow(normal(height, 0.4, 0.1), 0.8) * std::pow(normal(ln, 0.7, 0.2), 0.5) +
+         0.3 * std::pow(normal(height, 1.6, 0.2), 0.8) * own_size;
+}
+
+TEST(Kinds, AreMixedInTheirSharesAndTheRestIsTheClassItself) {
+  const Knowledge k = two_kinds();
+  for (const auto& [height, size] : {std::pair(0.4, 2.0), std::pair(1.5, 1.0), std::pair(1.0, 0.5), std::pair(3.0, 5.0)}) {
+    const double a = expected(height, size), unknown = std::pow(0.25, 0.8) * std::pow(1 / std::log(100.0), 0.5);
+    EXPECT_NEAR(preclassify(k, {{"height", "size"}, {{height, size}}})[0][1], a / (a + unknown), 1e-9) << height << " " << size;
+  }
+}
+
+TEST(Kinds, LeaveOutWhatIsNotKnownOfAPlane) {
+  const Knowledge k = two_kinds();
+  const double a = 0.2 * std::pow(normal(1.5, 1, 0.6), 0.8) + 0.5 * std::pow(normal(1.5, 0.4, 0.1), 0.8) + 0.3 * std::pow(normal(1.5, 1.6, 0.2), 0.8);
+  const auto p = preclassify(k, {{"height", "size"}, {{1.5, std::numeric_limits<double>::quiet_NaN()}}})[0];
+  EXPECT_NEAR(p[1], a / (a + std::pow(0.25, 0.8)), 1e-9);
+  EXPECT_NEAR(preclassify(k, {{}, {{}}})[0][1], 0.5, 1e-9);  // nothing known: the prior
+}
+
+TEST(Kinds, MixOddValuesInAsClassesDo) {
+  Knowledge k = two_kinds();
+  k.kinds = {{"a", 1, 1, "", {{"height", 0.4, 0.1}}}};
+  Knowledge plain = two_kinds();
+  plain.kinds.clear();
+  plain.class_features[0] = {"a", "height", 0.4, 0.1};
+  for (Knowledge* both : {&k, &plain}) both->settings["outlier_share"] = "0.1";
+  for (const double height : {0.4, 0.55, 0.9, 3.0}) {
+    for (const double error : {0.0, 0.05, 0.3}) {
+      const FeatureTable table{{"height"}, {{height}}, {{"height", {error}}}};
+      EXPECT_NEAR(preclassify(k, table)[0][1], preclassify(plain, table)[0][1], 1e-9) << height << " " << error;
+    }
+  }
+}
+
+TEST(Kinds, HaveContributionsThatAddUpToTheEvidence) {
+  const Knowledge k = two_kinds();
+  const FeatureTable table{{"size", "height"}, {{1.9, 0.5}}};
+  double sum = 0;
+  const std::vector<Contribution> terms = contributions(k, table, 0, 1);
+  for (const Contribution& term : terms) sum += term.weight * term.log_likelihood;
+  EXPECT_NEAR(sum, std::log(expected(0.5, 1.9)), 1e-9);
+  EXPECT_EQ(terms[0].mean, 0.4);  // of the kind that it looks like
+  EXPECT_EQ(terms.back().feature, kKindTerm);
+  EXPECT_EQ(terms.back().value, 1);
+  EXPECT_EQ(contributions(k, table, 0, 0).back().log_likelihood, 0);  // a class without kinds: so that terms can be compared one by one
+}
+
+TEST(Kinds, CountForNothingInEquationOneOfThePaper) {
+  Knowledge k = two_kinds(), plain = two_kinds();
+  plain.kinds.clear();
+  for (Knowledge* both : {&k, &plain}) both->settings["combination"] = "mean";
+  const FeatureTable table{{"height", "size"}, {{0.4, 2.0}}};
+  EXPECT_EQ(preclassify(k, table), preclassify(plain, table));
+  EXPECT_EQ(contributions(k, table, 0, 1).size(), 2U);
+}
+
+Knowledge to_learn() {
+  Knowledge k;
+  k.classes = {{0, "unknown", 0.4, "", "#000000", true}, {1, "table", 0.3, "", "#000000", false}, {2, "shelf", 0.3, "", "#000000", false}};
+  k.features = {{"height", "m", Scale::linear, -0.5, 4, 1, ""}, {"length", "m", Scale::log, 0.03, 30, 1, ""}};
+  return k;
+}
+
+// Tables are low and short or high and long; shelves low and long or high and short: each feature by itself tells nothing.
+LabelledPlanes crossed(int each, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> spread(0, 0.1);
+  LabelledPlanes planes{{{"height", "length"}, {}}, {}};
+  for (int i = 0; i < 4 * each; ++i) {
+    const bool high = i % 2 == 1, is_long = i % 4 >= 2;
+    planes.features.values.push_back({(high ? 2 : 1) + spread(random), std::exp((is_long ? 1 : 0) + spread(random))});
+    planes.classes.push_back(high == is_long ? "table" : "shelf");
+  }
+  return planes;
+}
+
+double share_right(const Knowledge& k, const LabelledPlanes& planes) {
+  const auto p = preclassify(k, planes.features);
+  int right = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) right += planes.classes[i] == (p[i][1] > p[i][2] ? "table" : "shelf");
+  return right / static_cast<double>(p.size());
+}
+
+TEST(LearnKinds, TellsClassesApartThatNoSingleFeatureDoes) {
+  const LearnedRows rows = learn(to_learn(), crossed(30, 1));
+  const Knowledge with = with_rows(to_learn(), rows);
+  Knowledge without = with;
+  without.kinds.clear();
+  const LabelledPlanes fresh = crossed(50, 2);
+  EXPECT_LT(share_right(without, fresh), 0.7);
+  EXPECT_GT(share_right(with, fresh), 0.98);
+  ASSERT_GE(rows.classes[1].kinds.size(), 2U);
+  double shares = 0;
+  for (const ClassKind& kind : rows.classes[1].kinds) shares += kind.share;
+  EXPECT_NEAR(shares, LearnOptions{}.kind_share, 1e-12);
+}
+
+TEST(LearnKinds, MakesNoKindOfAFewWrongLabels) {
+  LabelledPlanes planes = crossed(30, 1);
+  for (int i = 0; i < 3; ++i) {
+    planes.features.values.push_back({3.9, 0.05});
+    planes.classes.push_back("table");
+  }
+  for (const ClassKind& kind : learn(to_learn(), planes).classes[1].kinds) {
+    EXPECT_LT(kind.features[0].mean, 3) << "kind " << kind.number;
+    EXPECT_GT(kind.share * 63, 4) << "kind " << kind.number;
+  }
+}
+
+TEST(LearnKinds, DoesNotDependOnTheOrderOfPlanes) {
+  const LabelledPlanes planes = crossed(20, 4);
+  LabelledPlanes turned = planes;
+  std::reverse(turned.features.values.begin(), turned.features.values.end());
+  std::reverse(turned.classes.begin(), turned.classes.end());
+  const auto a = learn(to_learn(), planes).classes[1].kinds, b = learn(to_learn(), turned).classes[1].kinds;
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].share, b[k].share);
+    EXPECT_EQ(a[k].features[1].mean, b[k].features[1].mean);
+  }
+}
+
+TEST(LearnKinds, TooFewExamplesMakeNone) {
+  LabelledPlanes planes = crossed(30, 1);
+  planes.features.values.resize(40);
+  planes.classes.resize(40);  // twenty tables: less than two kinds of twelve
+  EXPECT_TRUE(learn(to_learn(), planes).classes[1].kinds.empty());
+}
+
+TEST(LearnKinds, MovesThePresentOnesWhereTheyCount) {
+  Knowledge k = to_learn();
+  k.kinds = {{"table", 1, 0.6, "by the wall", {{"height", 1.3, 0.2}, {"length", 0, 0.2}}}, {"table", 2, 0.35, "", {{"height", 2.2, 0.2}, {"length", 1, 0.2}}}};
+  LearnOptions options;
+  options.present_strength = 60;
+  const auto kinds = learn(k, crossed(30, 1), options).classes[1].kinds;
+  ASSERT_EQ(kinds.size(), 2U);
+  EXPECT_EQ(kinds[0].description, "by the wall");
+  EXPECT_NEAR(kinds[0].features[0].mean, (30 * 1.0 + 60 * 1.3) / 90, 0.03);  // 30 examples at 1.0 beside what stands for 60 at 1.3
+  EXPECT_NEAR(kinds[0].share, 0.95 * (30 + 60 * 0.6) / (60 + 57), 0.02);
+}
+
+TEST(KindRows, AreReadAsTheyWereLearnedAndUndone) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "k.gpkg", "empty");
+  base.apply_knowledge("INSERT INTO object_class (id, name, prior) VALUES (1, 'table', 0.3), (2, 'shelf', 0.3)", "classes");
+  LabelledPlanes planes = crossed(30, 1);
+  const LearnedRows rows = learn(base.knowledge(), planes);
+  base.learn_knowledge(to_sql(rows), "learned from a test");
+  const Knowledge read = base.knowledge();
+  const Knowledge direct = with_rows(base.knowledge(), rows);
+  ASSERT_EQ(read.kinds.size(), direct.kinds.size());
+  ASSERT_GE(read.kinds.size(), 4U);
+  for (std::size_t k = 0; k < read.kinds.size(); ++k) {
+    EXPECT_EQ(read.kinds[k].object_class, direct.kinds[k].object_class);
+    EXPECT_NEAR(read.kinds[k].share, direct.kinds[k].share, 1e-4);
+    ASSERT_EQ(read.kinds[k].features.size(), direct.kinds[k].features.size());
+    EXPECT_NEAR(read.kinds[k].features[0].mean, direct.kinds[k].features[0].mean, 1e-3);
+  }
+  EXPECT_GT(share_right(read, crossed(50, 2)), 0.98);
+  EXPECT_EQ(base.undo_knowledge(), "learned from a test");
+  EXPECT_TRUE(base.knowledge().kinds.empty());
+}
+
+}  // namespace
+}  // namespace scenelore::kb
