@@ -26,7 +26,7 @@ table1: bench
 SETS ?= 2
 REAL ?=
 experiments: bench
-	build/bench/bin/experiments docs/experiments $(SETS) 9701 $(REAL)
+	build/bench/bin/experiments docs/experiments $(SETS) 9801 $(REAL)
 
 # Time of `scenelore label` after one changed row and after one edited rule, on eleven simulated rooms.
 relabel: bench

@@ -1,7 +1,7 @@
 // Learns the default priors, densities and weights from simulated scans and prints them as SQL (schemas/knowledge/office_learned.sql).
 // Usage: learn_office OFFICE.sql [DENSITY_SETS VARIED WEIGHT_SETS]; with --scale instead, the scale of probabilities alone, for the
 // pack as it is.
-// Densities come from the paper-like rooms of seeds 1 to DENSITY_SETS, from VARIED depth-camera frames (seeds from 101 on) and
+// Kinds and densities come from the paper-like rooms of seeds 1 to DENSITY_SETS (10 at most), from VARIED depth-camera frames (seeds from 101 on) and
 // two thirds as many laser scans of rooms of varied sizes (from 301 on); weights from other rooms, of seeds from 11 on, and half
 // as many frames (from 201 on) and varied rooms (from 401 on): densities know their own examples too well.
 // The scale of told probabilities is fitted to rooms of their own (seeds from 8001 on).
@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
-  const Source densities{1, 101, 301, number(2, 7), number(3, 54)}, weights{11, 201, 401, number(4, 4), number(3, 54) / 2};
+  const Source densities{1, 101, 301, number(2, 10), number(3, 72)}, weights{11, 201, 401, number(4, 6), number(3, 72) / 2};
   const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("learn_office_{}.gpkg", getpid());
   kb::KnowledgeBase base = kb::KnowledgeBase::create(file, "empty");
   std::ifstream stream(argv[1]);
