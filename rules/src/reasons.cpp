@@ -28,12 +28,16 @@ std::string describe_feature(const kb::Knowledge& knowledge, const FeatureReason
   const kb::Reason::Term& c = reason.term;
   if (c.feature == kb::kKindTerm) return c.value > 0 ? "how usual kind " + number(c.value) + " is" : "how usual it is to be of no kind";
   const kb::Feature* feature = find_feature(knowledge, c.feature);
-  std::string out = c.feature + " " + number(c.value, 2) + (reason.error >= 0.05 ? " ± " + number(reason.error, 1) : "");
-  if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out += " " + feature->unit;
+  std::string out;
+  out.reserve(120);  // a run has a thousand of them
+  out.append(c.feature).append(" ").append(number(c.value, 2));
+  if (reason.error >= 0.05) out.append(" ± ").append(number(reason.error, 1));
+  if (feature != nullptr && !feature->unit.empty() && feature->unit != "1") out.append(" ").append(feature->unit);
   if (std::isnan(c.mean)) return out;
   const bool log = feature != nullptr && feature->scale == kb::Scale::log;
-  if (log) return out + " (typical " + number(std::exp(c.mean)) + ", give or take a factor " + number(std::exp(c.sigma)) + ")";
-  return out + " (typical " + number(c.mean) + " ± " + number(c.sigma) + ")";
+  out.append(" (typical ").append(number(log ? std::exp(c.mean) : c.mean));
+  out.append(log ? ", give or take a factor " : " ± ").append(number(log ? std::exp(c.sigma) : c.sigma)).append(")");
+  return out;
 }
 
 struct ActiveSupports {
@@ -82,6 +86,7 @@ void add_typical(const kb::Knowledge& knowledge, int object_class, std::vector<k
 /// Terms of one class against those of another, strongest first.
 std::vector<FeatureReason> compared(const std::vector<kb::Contribution>& mine, const std::vector<kb::Contribution>& theirs) {
   std::vector<FeatureReason> out;
+  out.reserve(std::min(mine.size(), theirs.size()));
   for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i) {
     out.push_back({{mine[i].feature, mine[i].value, mine[i].mean, mine[i].sigma},
                    mine[i].weight * (mine[i].log_likelihood - theirs[i].log_likelihood), mine[i].error});
@@ -92,7 +97,12 @@ std::vector<FeatureReason> compared(const std::vector<kb::Contribution>& mine, c
 }
 
 std::string feature_sentence(const std::string& described, double gain, const std::string& mine, const std::string& theirs) {
-  return described + ": " + number(std::abs(gain)) + (gain < 0 ? " against " + mine + ", for " + theirs : " for " + mine + " against " + theirs);
+  std::string out;
+  out.reserve(described.size() + mine.size() + theirs.size() + 40);
+  out.append(described).append(": ").append(number(std::abs(gain)));
+  out.append(gain < 0 ? " against " : " for ").append(mine);
+  out.append(gain < 0 ? ", for " : " against ").append(theirs);
+  return out;
 }
 
 }  // namespace
@@ -173,6 +183,7 @@ void Reasoner::add_evidence(int plane) {
   const std::vector<FeatureReason> strongest =
       mine_.empty() || rival < 0 ? std::vector<FeatureReason>{} : compared(mine_[at(plane)], theirs_[at(plane)]);
   std::vector<std::string> described;
+  described.reserve(strongest.size());
   for (const FeatureReason& reason : strongest) described.push_back(describe_feature(about_.knowledge, reason));
   add(plane, "evidence", amount, sentence + strongest_features(strongest, described));
   if (rival < 0) return;
