@@ -1,8 +1,6 @@
 // A relation is asked again only when something it depends on has changed; until then its rows are the answer.
 #include "fact_store.hpp"
 
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,6 +10,7 @@
 #include <string>
 
 #include "implementation.hpp"
+#include "no_triggers.hpp"
 
 namespace scenelore::kb {
 
@@ -58,19 +57,6 @@ std::map<std::string, RelationAsked> read_asked(const Database& database, ScanId
   }
   return out;
 }
-
-/// While it lives, this connection's own writing fires no triggers.
-class NoTriggers {
- public:
-  explicit NoTriggers(Database& database) : database_(database) { enable(0); }
-  NoTriggers(const NoTriggers&) = delete;
-  NoTriggers& operator=(const NoTriggers&) = delete;
-  ~NoTriggers() { enable(1); }
-
- private:
-  void enable(int on) const { sqlite3_db_config(database_.handle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, on, nullptr); }
-  Database& database_;
-};
 
 struct StoredFact {
   std::int64_t id = 0;

@@ -6,6 +6,9 @@
 #include <set>
 
 #include "implementation.hpp"
+#include "kept_result.hpp"
+#include "no_triggers.hpp"
+#include "scenelore/kb/sha256.hpp"
 
 namespace scenelore::kb {
 
@@ -73,15 +76,21 @@ void KnowledgeBase::register_features(const std::vector<Feature>& features) {
   transaction.commit();
 }
 
-void KnowledgeBase::store_features(const std::vector<PlaneId>& planes, const FeatureTable& features) {
+void KnowledgeBase::store_features(ScanId scan, const std::vector<PlaneId>& planes, const FeatureTable& features) {
   Database& database = implementation_->database;
   const std::vector<std::string> known = catalogue(database);
+  std::string inputs = hash_of(planes, features);
+  for (const std::string& name : known) inputs += '\n' + name;
+  inputs = sha256_of(inputs);
+  if (is_kept(database, scan, "features", inputs)) return;  // relabelling: nothing to write
   std::vector<std::size_t> columns;
   for (std::size_t f = 0; f < features.names.size(); ++f) {
     if (std::binary_search(known.begin(), known.end(), features.names[f])) columns.push_back(f);
   }
-  if (same_values(database, planes, features, columns)) return;  // relabelling: nothing to write
   Transaction transaction(database);
+  const NoTriggers own_writing(database);
+  keep_result(database, scan, "features", {inputs, {}});
+  if (same_values(database, planes, features, columns)) return transaction.commit();
   Statement remove = database.prepare("DELETE FROM plane_feature WHERE plane_id = ?");
   Statement insert = database.prepare("INSERT INTO plane_feature (plane_id, feature, value) VALUES (?, ?, ?)");
   for (std::size_t p = 0; p < planes.size(); ++p) {

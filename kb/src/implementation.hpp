@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "knowledge_rows.hpp"
 #include "scenelore/kb/knowledge_base.hpp"
 #include "sqlite.hpp"
 
@@ -16,9 +17,11 @@ struct KnowledgeBase::Implementation {
   struct Read {
     std::int64_t version = 0;  ///< PRAGMA data_version: changes when another connection has changed the file
     Knowledge knowledge;
+    std::optional<KnowledgeHashes> hashes = std::nullopt;  ///< once somebody has asked
   };
   std::optional<Read> read;  ///< whoever writes knowledge tables through this connection resets it
   const Knowledge& knowledge();  ///< read and checked when it is not at hand; until the next change
+  const KnowledgeHashes& hashes();  ///< of it
 };
 
 }  // namespace scenelore::kb

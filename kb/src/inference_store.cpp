@@ -1,5 +1,8 @@
 // What the engine found out: written as a whole, replaced as a whole.
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,6 +12,8 @@
 
 #include "fact_store.hpp"
 #include "implementation.hpp"
+#include "kept_result.hpp"
+#include "no_triggers.hpp"
 #include "update_in_place.hpp"
 
 namespace scenelore::kb {
@@ -39,7 +44,7 @@ std::int64_t insert_run(Database& database, ScanId scan, std::optional<std::int6
   return id ? *id : database.last_id();
 }
 
-void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
+void replace_evidence_rows(Database& database, ScanId scan, const Inference& inference) {
   const std::size_t classes = inference.classes.size();
   // What was written together has neighbouring ids: read one after another instead of by the index.
   Statement select = database.prepare(
@@ -59,6 +64,17 @@ void replace_evidence(Database& database, ScanId scan, const Inference& inferenc
   for (std::size_t i = 0; i < wanted; ++i) {
     insert.use()(inference.planes[i / classes])(inference.classes[i % classes])(value(i)).run();
   }
+}
+
+void replace_evidence(Database& database, ScanId scan, const Inference& inference) {
+  if (is_kept(database, scan, "evidence", inference.evidence_inputs)) return;
+  const NoTriggers own_writing(database);
+  replace_evidence_rows(database, scan, inference);
+  std::vector<double> values;
+  for (const std::vector<double>& row : inference.evidence) values.insert(values.end(), row.begin(), row.end());
+  KeptResult kept{inference.evidence_inputs, {}};
+  kept.set(values);
+  keep_result(database, scan, "evidence", kept);
 }
 
 /// Where a plane keeps its class and the next best one, only numbers change, which no index needs to know.
@@ -141,36 +157,95 @@ void bind(Statement::Use& use, const Reason& r) {
   use(r.against);
 }
 
+/// All that a row of a reason holds, as a number: 64 bits, of which a run compares a thousand with those of the run before.
+std::uint64_t hash_of(const Reason& r) {
+  std::uint64_t hash = 0;
+  const auto mix = [&](std::uint64_t value) {
+    hash = (hash ^ value) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  };
+  const auto text = [&](std::string_view bytes) {
+    mix(bytes.size());
+    for (std::uint64_t word = 0; !bytes.empty(); word = 0) {
+      const std::size_t taken = std::min(bytes.size(), sizeof word);
+      std::memcpy(&word, bytes.data(), taken);
+      mix(word);
+      bytes.remove_prefix(taken);
+    }
+  };
+  const auto some = [&](const auto& value, const auto& add) {
+    mix(value ? 1 : 0);
+    if (value) add(*value);
+  };
+  const auto number = [&](double value) { mix(std::isnan(value) ? 1 : std::bit_cast<std::uint64_t>(value)); };
+  mix(static_cast<std::uint64_t>(r.plane));
+  text(r.object_class);
+  text(r.kind);
+  some(r.constraint_name, text);
+  some(r.other_plane, [&](PlaneId plane) { mix(static_cast<std::uint64_t>(plane)); });
+  number(r.amount);
+  text(r.sentence);
+  some(r.term, [&](const Reason::Term& term) {
+    text(term.feature);
+    for (const double value : {term.value, term.mean, term.sigma}) number(value);
+  });
+  some(r.against, text);
+  return hash;
+}
+
+struct KeptReason {
+  std::int64_t id;
+  std::uint64_t hash;
+  bool operator==(const KeptReason&) const = default;
+};
+
+/// The rows of the run before, in order. Where nothing is kept of them, those that hold another reason than the one now in their place
+/// have a hash that none has.
+std::vector<KeptReason> reasons_before(const Database& database, std::int64_t run, const std::optional<KeptResult>& kept,
+                                       const std::vector<Reason>& reasons, const std::vector<std::uint64_t>& hashes) {
+  if (kept && kept->inputs_sha256 == std::to_string(run)) return kept->get<KeptReason>();
+  std::vector<KeptReason> before;
+  Statement select = database.prepare("SELECT id, " + std::string(kReasonColumns) + " FROM reason WHERE run_id = ? ORDER BY id");
+  auto row = select.use();
+  for (row(run); row.next();) {
+    const std::size_t i = before.size();
+    const bool same = i < reasons.size() && holds(row, 1, reasons[i]);
+    before.push_back({row.integer(0), same ? hashes[i] : i < reasons.size() ? ~hashes[i] : 0});
+  }
+  return before;
+}
+
 /// Most reasons are those of the run before: only the rows that differ are written.
-void replace_reasons(Database& database, std::int64_t run, const std::vector<Reason>& reasons) {
-  std::vector<std::pair<std::size_t, std::int64_t>> changed;  // index, id of the row
-  std::size_t rows = 0;
-  std::int64_t last = 0;
-  bool more = false;
-  {
-    Statement select = database.prepare("SELECT id, " + std::string(kReasonColumns) + " FROM reason WHERE run_id = ? ORDER BY id");
-    auto row = select.use();
-    for (row(run); (more = row.next()) && rows < reasons.size(); ++rows) {
-      last = row.integer(0);
-      if (!holds(row, 1, reasons[rows])) changed.emplace_back(rows, last);
-    }
+void replace_reasons(Database& database, ScanId scan, std::int64_t run, const std::vector<Reason>& reasons) {
+  std::vector<std::uint64_t> hashes;
+  hashes.reserve(reasons.size());
+  for (const Reason& reason : reasons) hashes.push_back(hash_of(reason));
+  const std::optional<KeptResult> kept = kept_result(database, scan, "reasons");
+  std::vector<KeptReason> rows = reasons_before(database, run, kept, reasons, hashes);
+  const NoTriggers own_writing(database);
+  if (rows.size() > reasons.size()) {
+    const std::int64_t last = reasons.empty() ? 0 : rows[reasons.size() - 1].id;
+    database.prepare("DELETE FROM reason WHERE run_id = ? AND id > ?").use()(run)(last).run();
+    rows.resize(reasons.size());
   }
-  if (more) database.prepare("DELETE FROM reason WHERE run_id = ? AND id > ?").use()(run)(rows == 0 ? 0 : last).run();
-  if (!changed.empty()) {
-    Statement update = database.prepare("UPDATE reason SET (" + std::string(kReasonColumns) + ") = (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) WHERE id = ?");
-    for (const auto& [index, id] : changed) {
-      auto use = update.use();
-      bind(use, reasons[index]);
-      use(id).run();
-    }
+  Statement update = database.prepare("UPDATE reason SET (" + std::string(kReasonColumns) + ") = (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) WHERE id = ?");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].hash == hashes[i]) continue;
+    auto use = update.use();
+    bind(use, reasons[i]);
+    use(rows[i].id).run();
+    rows[i].hash = hashes[i];
   }
-  if (rows == reasons.size()) return;
   Statement insert = database.prepare("INSERT INTO reason (" + std::string(kReasonColumns) + ", run_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  for (; rows < reasons.size(); ++rows) {
+  for (std::size_t i = rows.size(); i < reasons.size(); ++i) {
     auto use = insert.use();
-    bind(use, reasons[rows]);
+    bind(use, reasons[i]);
     use(run).run();
+    rows.push_back({database.last_id(), hashes[i]});
   }
+  KeptResult now{std::to_string(run), {}};
+  now.set(rows);
+  if (!kept || kept->inputs_sha256 != now.inputs_sha256 || kept->content != now.content) keep_result(database, scan, "reasons", now);
 }
 
 void replace_objects(Database& database, std::int64_t run, const Inference& inference) {
@@ -198,7 +273,7 @@ std::int64_t KnowledgeBase::store_inference(ScanId scan, const Inference& infere
   replace_labels(database, scan, run, inference);
   replace_alternatives(database, run, inference);
   replace_objects(database, run, inference);
-  replace_reasons(database, run, inference.reasons);
+  replace_reasons(database, scan, run, inference.reasons);
   transaction.commit();
   return run;
 }

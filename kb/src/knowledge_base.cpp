@@ -227,6 +227,12 @@ std::optional<std::string> KnowledgeBase::undo_knowledge() {
   return what;
 }
 
-std::string KnowledgeBase::knowledge_hash() const { return hash_knowledge(implementation_->knowledge()); }
+const KnowledgeHashes& KnowledgeBase::Implementation::hashes() {
+  const Knowledge& now = knowledge();
+  if (!read->hashes) read->hashes = hash_knowledge(now);
+  return *read->hashes;
+}
+
+std::string KnowledgeBase::knowledge_hash() const { return implementation_->hashes().all; }
 
 }  // namespace scenelore::kb

@@ -1,6 +1,7 @@
 #include "knowledge_rows.hpp"
 
 #include "composites.hpp"
+#include "digest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -137,42 +138,8 @@ Knowledge read_knowledge(const Database& database) {
   return knowledge;
 }
 
-namespace {
-
-/// Puts values in one after another, each with its kind and texts with their length, so that no two contents give the same
-/// bytes.
-class Digest {
- public:
-  Digest& operator()(std::string_view text) {
-    number('t', static_cast<std::uint64_t>(text.size()));
-    bytes_ += text;
-    return *this;
-  }
-  Digest& operator()(std::int64_t value) { return number('i', value); }
-  Digest& operator()(int value) { return number('i', static_cast<std::int64_t>(value)); }
-  Digest& operator()(double value) { return number('r', value == 0 ? 0.0 : value); }  // −0 is the same number
-  template <typename T>
-  Digest& operator()(const std::optional<T>& value) {
-    if (value) return (*this)(*value);
-    bytes_ += 'n';
-    return *this;
-  }
-  [[nodiscard]] std::string hex() const { return sha256_of(bytes_); }
-
- private:
-  template <typename T>
-  Digest& number(char kind, T value) {
-    bytes_ += kind;
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    return *this;
-  }
-  std::string bytes_;
-};
-
-}  // namespace
-
 // Row ids that nothing refers to do not matter.
-std::string hash_knowledge(const Knowledge& knowledge) {
+KnowledgeHashes hash_knowledge(const Knowledge& knowledge) {
   Digest add;
   add("object_class");
   for (const ObjectClass& c : knowledge.classes) add(c.id)(c.name)(c.prior)(c.description)(c.color)(c.fallback ? 1 : 0);
@@ -191,6 +158,7 @@ std::string hash_knowledge(const Knowledge& knowledge) {
   }
   add("setting");
   for (const auto& [key, value] : knowledge.settings) add(key)(value);
+  const std::size_t of_evidence = add.bytes().size();
   add("class_constraint");
   for (const ClassConstraint& c : knowledge.constraints) {
     add(c.id)(c.name)(c.object_class)(static_cast<int>(c.quantifier))(c.relation)(c.other_class)(c.count)(c.weight)(
@@ -203,7 +171,11 @@ std::string hash_knowledge(const Knowledge& knowledge) {
       add(p.part)(p.object_class)(p.relation)(static_cast<int>(p.orientation))(p.fewest)(p.most)(p.weight);
     }
   }
-  return add.hex();
+  Sha256 all;
+  all.add(std::string_view(add.bytes()).substr(0, of_evidence));
+  Sha256 evidence = all;
+  all.add(std::string_view(add.bytes()).substr(of_evidence));
+  return {all.hex(), evidence.hex()};
 }
 
 }  // namespace scenelore::kb

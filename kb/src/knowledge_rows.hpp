@@ -14,7 +14,11 @@ namespace scenelore::kb {
 /// refuse most of it already, but a person's connection may have foreign keys off.
 void validate(const Knowledge& knowledge, const std::string& file_name);
 
-/// SHA-256 over every value of the knowledge tables, in the order of their names and ids.
-[[nodiscard]] std::string hash_knowledge(const Knowledge& knowledge);
+/// SHA-256 over values of the knowledge tables, in the order of their names and ids.
+struct KnowledgeHashes {
+  std::string all;
+  std::string evidence;  ///< without constraints and composites, which say nothing about a plane alone
+};
+[[nodiscard]] KnowledgeHashes hash_knowledge(const Knowledge& knowledge);
 
 }  // namespace scenelore::kb

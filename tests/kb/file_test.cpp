@@ -31,7 +31,7 @@ fs::path labelled_room(const TemporaryFolder& folder) {
   KnowledgeBase base = KnowledgeBase::create(folder / "room.gpkg");
   const testing::Room room = testing::room();
   const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
-  base.store_features({1, 2, 3, 4}, built_in_features(*base.find_scan("room"), base.planes(scan)));
+  base.store_features(scan, {1, 2, 3, 4}, built_in_features(*base.find_scan("room"), base.planes(scan)));
   base.store_inference(scan, testing::inference(base.planes(scan)));
   return folder / "room.gpkg";
 }
@@ -85,7 +85,7 @@ TEST(KnowledgeFile, OfVersionOneIsMigratedWithAllItsRows) {
   Database(path, OpenMode::create).execute(test::read_file(fs::path(SCENELORE_SOURCE_DIR) / "tests/kb/data/version_1.sql"));
   EXPECT_THAT(refused(path, Access::read_only), HasSubstr("older schema version 1"));
   const KnowledgeBase base = KnowledgeBase::open(path);
-  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("11|1"));
+  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("12|1"));
   EXPECT_EQ(base.knowledge().classes.size(), 3U);
   ASSERT_EQ(base.planes(1).size(), 2U);
   EXPECT_EQ(base.planes(1)[0].plane.behind, -1) << "was not measured then";

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "rooms.hpp"
 #include "scenelore/kb/error.hpp"
@@ -210,6 +213,153 @@ TEST(KnowledgeBase, KeepsWhatRulesAnswered) {
   inference.rule_answers = {{"feature depth", {"", "other", "1"}}};
   base.store_inference(scan, inference);
   EXPECT_EQ(base.rule_answers(scan), inference.rule_answers);
+}
+
+/// A knowledge base whose room has evidence by the program, and bytes put in the place of what is kept, which show whether it is used.
+class KeptEvidence : public ::testing::Test {
+ protected:
+  KeptEvidence() {
+    const testing::Room room = testing::room();
+    scan_ = base_.store_scan(room.scan, room.planes, room.plane_of_point);
+    features_ = built_in_features(*base_.find_scan("room"), base_.planes(scan_));
+    computed_ = base_.evidence(scan_, ids_, features_).probabilities;
+    store();
+    mark();
+  }
+  void store() {
+    const Evidence evidence = base_.evidence(scan_, ids_, features_);
+    Inference inference = testing::inference(base_.planes(scan_));
+    inference.classes.clear();
+    for (const ObjectClass& c : base_.knowledge().classes) inference.classes.push_back(c.name);
+    inference.evidence = evidence.probabilities;
+    inference.evidence_inputs = evidence.inputs_sha256;
+    base_.store_features(scan_, ids_, features_);
+    base_.store_inference(scan_, inference);
+  }
+  void execute(const std::string& sql) { Database(file_, OpenMode::read_write).execute(sql); }
+  void mark() { execute("UPDATE kept_result SET content = zeroblob(length(content)) WHERE what = 'evidence'"); }
+  [[nodiscard]] bool is_used() const {
+    const auto now = base_.evidence(scan_, ids_, features_).probabilities;
+    const std::vector marked(ids_.size(), std::vector<double>(computed_[0].size(), 0.0));
+    EXPECT_TRUE(now == computed_ || now == marked);
+    return now == marked;
+  }
+  /// Rows of the evidence that are not as computed.
+  [[nodiscard]] std::size_t wrong_rows() const {
+    std::size_t row = 0, wrong = 0;
+    base_.query("SELECT probability FROM evidence ORDER BY plane_id, id", [](const auto&) {}, [&](const QueryRow& values) {
+      const double wanted = computed_[row / computed_[0].size()][row % computed_[0].size()];
+      if (std::abs(std::stod(*values.values[0]) - wanted) > 1e-12 * wanted) ++wrong;
+      ++row;
+    });
+    EXPECT_EQ(row, ids_.size() * computed_[0].size());
+    return wrong;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_ / "office.gpkg";
+  KnowledgeBase base_ = KnowledgeBase::create(file_);
+  ScanId scan_ = 0;
+  std::vector<PlaneId> ids_{1, 2, 3, 4};
+  FeatureTable features_;
+  std::vector<std::vector<double>> computed_;
+};
+
+TEST_F(KeptEvidence, IsUsedUntilSomethingItDependsOnChanges) {
+  ASSERT_EQ(computed_, preclassify(base_.knowledge(), features_));
+  EXPECT_TRUE(is_used());
+  execute("UPDATE class_constraint SET weight = 7 WHERE name = 'table_level'");
+  EXPECT_TRUE(is_used()) << "a constraint says nothing about a plane alone";
+  FeatureTable other = features_;
+  std::swap(features_, other);
+  features_.values[2][0] *= 2;
+  EXPECT_EQ(base_.evidence(scan_, ids_, features_).probabilities, preclassify(base_.knowledge(), features_));
+  std::swap(features_, other);
+  features_.errors["height"] = {0.5, 0.5, 0.5, 0.5};
+  EXPECT_EQ(base_.evidence(scan_, ids_, features_).probabilities, preclassify(base_.knowledge(), features_));
+  features_.errors.erase("height");
+  EXPECT_TRUE(is_used());
+  execute("UPDATE object_class SET prior = 2 * prior WHERE name = 'table'");
+  EXPECT_EQ(base_.evidence(scan_, ids_, features_).probabilities, preclassify(base_.knowledge(), features_));
+}
+
+TEST_F(KeptEvidence, IsVoidWhenSomebodyChangesTheRowsWhichTheNextRunPutsRight) {
+  for (const char* const change :
+       {"UPDATE evidence SET probability = 0.5 WHERE plane_id = 3 AND class = 'table'", "DELETE FROM evidence WHERE plane_id = 2 AND class = 'wall'",
+        "DELETE FROM evidence WHERE plane_id = 1 AND class = 'table'; INSERT INTO evidence (plane_id, class, probability) VALUES (1, 'table', 0.25)"}) {
+    SCOPED_TRACE(change);
+    ASSERT_TRUE(is_used());
+    execute(std::string("PRAGMA foreign_keys = OFF; ") + change);
+    EXPECT_FALSE(is_used());
+    store();
+    EXPECT_EQ(wrong_rows(), 0U);
+    mark();
+  }
+}
+
+TEST_F(KeptEvidence, LeavesRowsAloneThatAreAsTheyWere) {
+  const auto version = [&] {
+    std::string out;
+    base_.query("SELECT group_concat(id || ' ' || feature || ' ' || value) FROM plane_feature", [](const auto&) {},
+                [&](const QueryRow& row) { out = row.values[0].value_or(""); });
+    return out;
+  };
+  const std::string before = version();
+  store();
+  EXPECT_EQ(version(), before) << "rows that are written again get other ids";
+  execute("UPDATE plane_feature SET value = 77 WHERE id = 3");
+  store();
+  const std::string now = version();
+  EXPECT_EQ(now.find(" 77.0"), std::string::npos) << now;
+  EXPECT_EQ(std::count(now.begin(), now.end(), ','), std::count(before.begin(), before.end(), ','));
+}
+
+TEST(KnowledgeBase, ReplacesReasonsWhicheverOfThemChangedAndWhoeverChangedThem) {
+  const TemporaryFolder folder;
+  KnowledgeBase base = KnowledgeBase::create(folder / "office.gpkg");
+  const testing::Room room = testing::room();
+  const ScanId scan = base.store_scan(room.scan, room.planes, room.plane_of_point);
+  Inference inference = testing::inference(base.planes(scan));
+  std::mt19937 random(5);
+  const auto draw = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  const auto any_reason = [&] {
+    Reason r{.plane = 1 + draw(4), .object_class = "table", .kind = draw(2) == 0 ? "support" : "feature", .amount = draw(3) * 0.5,
+             .sentence = std::string(static_cast<std::size_t>(draw(20)), 'x') + std::to_string(draw(3))};
+    if (draw(2) == 0) r.constraint_name = "row " + std::to_string(draw(2));
+    if (draw(2) == 0) r.other_plane = 1 + draw(2);
+    if (r.kind == "feature") r.term = {"height", draw(2) * 1.0, draw(2) == 0 ? std::nan("") : 1.0, 0.5};
+    if (draw(2) == 0) r.against = "wall";
+    return r;
+  };
+  const auto in_words = [](const Reason& r) {
+    const auto number = [](double value) { return std::isnan(value) ? "-" : std::to_string(value); };
+    return std::to_string(r.plane) + r.object_class + r.kind + r.constraint_name.value_or("-") + std::to_string(r.other_plane.value_or(0)) +
+           number(r.amount) + r.sentence + r.against.value_or("-") +
+           (r.term ? r.term->feature + number(r.term->value) + number(r.term->mean) + number(r.term->sigma) : "-");
+  };
+  const std::vector<std::string> tampering = {
+      "", "UPDATE reason SET sentence = 'mine' WHERE id = (SELECT min(id) FROM reason)", "DELETE FROM reason WHERE id % 3 = 0",
+      "INSERT INTO reason (run_id, plane_id, class, kind, amount, sentence) SELECT id, 1, 'table', 'support', 1, 'mine' FROM run"};
+  for (int turn = 0; turn < 60; ++turn) {
+    std::vector<Reason>& reasons = inference.reasons;
+    const int wanted = draw(3) == 0 ? draw(12) : static_cast<int>(reasons.size());
+    while (static_cast<int>(reasons.size()) < wanted) reasons.push_back(any_reason());
+    reasons.resize(static_cast<std::size_t>(wanted));
+    for (Reason& reason : reasons) {
+      if (draw(4) == 0) reason = any_reason();
+    }
+    const std::string& change = tampering[static_cast<std::size_t>(draw(static_cast<int>(tampering.size())))];
+    if (!change.empty()) Database(folder / "office.gpkg", OpenMode::read_write).execute(change);
+    base.store_inference(scan, inference);
+    for (PlaneId plane = 1; plane <= 4; ++plane) {
+      std::vector<std::string> expected, found;
+      for (const Reason& reason : reasons) {
+        if (reason.plane == plane) expected.push_back(in_words(reason));
+      }
+      for (const Reason& reason : base.reasons(plane)) found.push_back(in_words(reason));
+      ASSERT_EQ(found, expected) << "turn " << turn << " " << change;
+    }
+  }
 }
 
 TEST(KnowledgeBase, SeesAtOnceWhatAnotherConnectionChanged) {

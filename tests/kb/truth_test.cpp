@@ -116,7 +116,7 @@ TEST_F(Truth, FeaturesAreStoredForTheWholeCatalogue) {
   table.names.push_back("nonsense");
   for (auto& row : table.values) row.insert(row.end(), {row[1] / row[2], 1.0});
   table.values[0][table.names.size() - 2] = std::numeric_limits<double>::quiet_NaN();
-  base_.store_features({1, 2, 3, 4}, table);
+  base_.store_features(1, {1, 2, 3, 4}, table);
   const FeatureTable back = base_.features({3, 1});
   EXPECT_EQ(back.names.size(), 18U);
   const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(back.names.begin(), back.names.end(), name) - back.names.begin()); };

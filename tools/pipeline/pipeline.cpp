@@ -47,11 +47,13 @@ rules::KnownAnswers known_about(const kb::KnowledgeBase& base, const kb::Scan& s
 
 Situation situation_of(const kb::KnowledgeBase& base, const kb::Scan& scan, kb::Knowledge knowledge, rules::Scene scene,
                        rules::RuleAnswers answers) {
-  Situation situation{.knowledge = std::move(knowledge), .scene = std::move(scene), .evidence = {}, .facts = std::move(answers.facts), .truth = {}};
+  Situation situation{.knowledge = std::move(knowledge), .scene = std::move(scene), .evidence = {}, .evidence_inputs = {}, .facts = std::move(answers.facts), .truth = {}};
   answers.table.errors = std::move(situation.scene.features.errors);  // rule files add values, and know no errors
   situation.scene.features = std::move(answers.table);
   situation.knowledge = rules::with_tuple_constraints(std::move(situation.knowledge), situation.facts);
-  situation.evidence = kb::preclassify(situation.knowledge, situation.scene.features);
+  kb::Evidence evidence = base.evidence(scan.id, situation.scene.ids, situation.scene.features);
+  situation.evidence = std::move(evidence.probabilities);
+  situation.evidence_inputs = std::move(evidence.inputs_sha256);
   situation.truth = base.truth(scan.id);
   return situation;
 }
@@ -63,7 +65,8 @@ kb::Inference label_and_store(kb::KnowledgeBase& base, const kb::Scan& scan, con
   inference.run.knowledge_hash = base.knowledge_hash();
   inference.run.rules_hash = rules_hash;
   inference.run.engine_version = SCENELORE_VERSION;
-  base.store_features(situation.scene.ids, situation.scene.features);
+  inference.evidence_inputs = situation.evidence_inputs;
+  base.store_features(scan.id, situation.scene.ids, situation.scene.features);
   base.store_inference(scan.id, inference);
   return inference;
 }

@@ -39,6 +39,7 @@ struct Situation {
   kb::Knowledge knowledge;
   rules::Scene scene;
   std::vector<std::vector<double>> evidence;  ///< [plane][class]
+  std::string evidence_inputs;                ///< kb::Evidence::inputs_sha256
   rules::Facts facts;
   std::vector<std::pair<kb::PlaneId, std::string>> truth;
 };

@@ -104,6 +104,7 @@ struct Inference {
   std::vector<std::string> classes;              ///< column names of `evidence`
   std::vector<PlaneId> planes;                   ///< row names of `evidence`
   std::vector<std::vector<double>> evidence;     ///< [plane][class]
+  std::string evidence_inputs;                   ///< Evidence::inputs_sha256; empty = not known
   std::vector<RelationFact> facts;                ///< by relation
   std::map<std::string, RelationAsked> asked;    ///< by relation
   StoredGeometry geometry;

@@ -40,6 +40,12 @@ struct StoredPlane {
   perception::Plane plane;
 };
 
+/// P(C|Φ) of a scan's planes, and what it was made from.
+struct Evidence {
+  std::vector<std::vector<double>> probabilities;  ///< [plane][class]
+  std::string inputs_sha256;                       ///< names all that it depends on: the same again gives the same evidence
+};
+
 /// SQLite's storage class of a value.
 enum class ValueType { null, integer, real, text, blob };
 
@@ -99,11 +105,15 @@ class KnowledgeBase {
   [[nodiscard]] std::vector<std::int64_t> plane_of_point(ScanId scan) const;
   [[nodiscard]] std::vector<std::pair<PlaneId, std::string>> truth(ScanId scan) const;
 
+  /// preclassify() with the knowledge of the file; where the run before had the same, what it found. `features`: one row for each of
+  /// `planes`, which are the scan's.
+  [[nodiscard]] Evidence evidence(ScanId scan, const std::vector<PlaneId>& planes, const FeatureTable& features) const;
+
   /// Adds to the catalogue the features that it does not have yet (those of Lua files), with weight 0: a person who wants
   /// one to count sets its weight and writes class_feature rows. Writes nothing when there is none to add.
   void register_features(const std::vector<Feature>& features);
-  /// Replaces the planes' feature values. NaN stores nothing; features that the catalogue lacks are left out.
-  void store_features(const std::vector<PlaneId>& planes, const FeatureTable& features);
+  /// Replaces the feature values of planes of the scan. NaN stores nothing; features that the catalogue lacks are left out.
+  void store_features(ScanId scan, const std::vector<PlaneId>& planes, const FeatureTable& features);
   /// NaN where a plane has no value; columns by name.
   [[nodiscard]] FeatureTable features(const std::vector<PlaneId>& planes) const;
   /// Replaces everything inferred about the scan before. Returns the run's id.
