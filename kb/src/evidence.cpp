@@ -190,25 +190,18 @@ std::vector<double> Model::mean(std::size_t plane) const {
 // ln Σ_k s_k Π_i p_ik^F_i = Σ_i F_i Σ_k r_k ln p_ik + Σ_k r_k (ln s_k − ln r_k) with r_k the share that kind k has of the sum: what a
 // feature says is the mean of what it says to the kinds, and the rest is how usual these kinds are.                     (6)
 void add_kinds(const Mixture& mixture, const std::vector<MixtureInput>& inputs, std::vector<Contribution>& terms) {
-  Contribution usual{.feature = kKindTerm, .mean = std::numeric_limits<double>::quiet_NaN(), .sigma = std::numeric_limits<double>::quiet_NaN(), .weight = 1};
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  Contribution usual{.feature = kKindTerm, .mean = kNone, .sigma = kNone, .weight = 1};
   if (!mixture.empty()) {
-    const Responsibilities shares = mixture.responsibilities(inputs);
-    constexpr double kNothing = 1e-12;
-    const int likely = static_cast<int>(std::max_element(shares.begin(), shares.end()) - shares.begin()) - 1;
+    const Mixture::Division division = mixture.divide(inputs);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      terms[i].log_likelihood = 0;
-      for (std::size_t k = 0; k < shares.size(); ++k) {
-        if (shares[k] > kNothing) terms[i].log_likelihood += shares[k] * mixture.log_density(inputs[i], static_cast<int>(k) - 1);
-      }
-      if (const KindTerm* const term = mixture.term(likely, inputs[i].feature)) {
-        terms[i].mean = term->mean();
-        terms[i].sigma = term->sigma();
-      }
+      terms[i].log_likelihood = division.log_likelihoods[i];
+      if (std::isnan(division.means[i])) continue;
+      terms[i].mean = division.means[i];
+      terms[i].sigma = division.sigmas[i];
     }
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      if (shares[k] > kNothing) usual.log_likelihood += shares[k] * (mixture.log_share(static_cast<int>(k) - 1) - std::log(shares[k]));
-    }
-    usual.value = likely < 0 ? 0 : mixture.number(likely);
+    usual.log_likelihood = division.usual;
+    usual.value = division.likeliest;
   }
   terms.push_back(std::move(usual));
 }

@@ -9,86 +9,116 @@ namespace scenelore::kb {
 
 namespace {
 
-double log_sum(const std::vector<double>& logs) {
-  const double highest = *std::max_element(logs.begin(), logs.end());
-  double sum = 0;
-  for (const double value : logs) sum += std::exp(value - highest);
-  return highest + std::log(sum);
+template <typename Row>
+double log_sum(const Row& logs) {
+  const double highest = logs.maxCoeff();
+  return highest + std::log((logs - highest).exp().sum());
 }
+
+double sigma_of(double half_precision) { return std::sqrt(0.5 / half_precision); }
 
 }  // namespace
 
-KindTerm::KindTerm(const Feature& feature, const KindFeature& row, double outlier_share)
-    : mean_(row.mean), sigma_(row.sigma), half_precision_(0.5 / (row.sigma * row.sigma)), turn_(feature.scale == Scale::circular ? range_on_scale(feature) : 0) {
-  const double peak = 1 / (row.sigma * std::sqrt(2 * std::numbers::pi));
-  inlier_ = (1 - outlier_share) * peak;
-  outlier_ = outlier_share / 2 * peak / kTail;
-  uniform_ = outlier_share / 2 / range_on_scale(feature);
-  log_inlier_ = std::log(inlier_);
+Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share) {
+  const auto rows = static_cast<Eigen::Index>(features.size()), columns = static_cast<Eigen::Index>(kinds.size());
+  if (columns == 0) return;
+  means_ = half_precisions_ = inliers_ = outliers_ = Table::Zero(rows, columns);
+  has_row_ = Eigen::ArrayXXi::Zero(rows, columns);
+  log_shares_.resize(columns + 1);
+  double shares = 0;
+  for (Eigen::Index f = 0; f < rows; ++f) {
+    const Feature& feature = *features[static_cast<std::size_t>(f)];
+    turns_.push_back(feature.scale == Scale::circular ? range_on_scale(feature) : 0);
+    uniforms_.push_back(outlier_share / 2 / range_on_scale(feature));
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      const std::vector<KindFeature>& of = kinds[static_cast<std::size_t>(k)].features;
+      const auto row = std::find_if(of.begin(), of.end(), [&](const KindFeature& r) { return r.feature == feature.name; });
+      if (row == of.end()) continue;
+      const double peak = 1 / (row->sigma * std::sqrt(2 * std::numbers::pi));
+      means_(f, k) = row->mean;
+      half_precisions_(f, k) = 0.5 / (row->sigma * row->sigma);
+      inliers_(f, k) = (1 - outlier_share) * peak;
+      outliers_(f, k) = outlier_share / 2 * peak / kTail;
+      has_row_(f, k) = 1;
+    }
+  }
+  all_rows_ = has_row_.all();
+  log_inliers_ = inliers_.log();
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    numbers_.push_back(kinds[static_cast<std::size_t>(k)].number);
+    log_shares_[k] = std::log(kinds[static_cast<std::size_t>(k)].share);
+    shares += kinds[static_cast<std::size_t>(k)].share;
+  }
+  log_shares_[columns] = shares < 1 ? std::log(1 - shares) : -std::numeric_limits<double>::infinity();
 }
 
 // Each Gaussian, the wide one of odd values too, seen through normal errors.
-double KindTerm::log_blurred(double distance, double error) const {
-  const double near = std::hypot(sigma_, error), far = std::hypot(kTail * sigma_, error);
-  const auto exponent = [distance](double sigma) { return distance * distance / (2 * sigma * sigma); };
-  if (uniform_ <= 0) return log_inlier_ + std::log(sigma_ / near) - exponent(near);
-  return std::log(inlier_ * sigma_ / near * std::exp(-exponent(near)) + outlier_ * kTail * sigma_ / far * std::exp(-exponent(far)) + uniform_);
+double Mixture::blurred(Eigen::Index f, Eigen::Index k, const MixtureInput& input) const {
+  const double sigma = sigma_of(half_precisions_(f, k)), near = std::hypot(sigma, input.error), far = std::hypot(kTail * sigma, input.error);
+  const double turn = turns_[input.feature], uniform = uniforms_[input.feature];
+  const double distance = turn > 0 ? std::remainder(input.scaled - means_(f, k), turn) : input.scaled - means_(f, k);
+  const auto exponent = [distance](double width) { return distance * distance / (2 * width * width); };
+  if (uniform <= 0) return log_inliers_(f, k) + std::log(sigma / near) - exponent(near);
+  return std::log(inliers_(f, k) * sigma / near * std::exp(-exponent(near)) + outliers_(f, k) * kTail * sigma / far * std::exp(-exponent(far)) +
+                  uniform);
 }
 
-Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share) {
-  double shares = 0;
-  for (const ClassKind& row : kinds) {
-    shares += row.share;
-    Kind kind{.number = row.number, .log_share = std::log(row.share), .term_of_feature = std::vector<int>(features.size(), -1), .terms = {}};
-    for (const KindFeature& of : row.features) {
-      const auto found = std::find_if(features.begin(), features.end(), [&](const Feature* f) { return f->name == of.feature; });
-      if (found == features.end()) continue;  // its weight is 0, or the scan has no such feature
-      kind.term_of_feature[static_cast<std::size_t>(found - features.begin())] = static_cast<int>(kind.terms.size());
-      kind.terms.emplace_back(**found, of, outlier_share);
+Mixture::Table Mixture::log_terms(std::span<const MixtureInput> inputs) const {
+  static_assert(kTail == 4);  // so the two exponents are as 16 to one, and one exponential gives both
+  const Eigen::Index columns = means_.cols();
+  Table out(static_cast<Eigen::Index>(inputs.size()), columns + 1);
+  Row exponents, wide;
+  for (Eigen::Index i = 0; i < out.rows(); ++i) {
+    const MixtureInput& input = inputs[static_cast<std::size_t>(i)];
+    const auto f = static_cast<Eigen::Index>(input.feature);
+    out(i, columns) = input.own;
+    const double uniform = uniforms_[input.feature];
+    if (input.error > 0 || turns_[input.feature] > 0) {
+      for (Eigen::Index k = 0; k < columns; ++k) out(i, k) = has_row_(f, k) != 0 ? blurred(f, k, input) : input.own;
+      continue;
     }
-    kinds_.push_back(std::move(kind));
+    exponents = (input.scaled - means_.row(f)).square() * half_precisions_.row(f);
+    if (uniform <= 0) {
+      out.row(i).head(columns) = log_inliers_.row(f) - exponents;
+    } else {
+      wide = (exponents * (-1.0 / 16)).exp();
+      out.row(i).head(columns) = (inliers_.row(f) * wide.square().square().square().square() + outliers_.row(f) * wide + uniform).log();
+    }
+    for (Eigen::Index k = 0; !all_rows_ && k < columns; ++k) {
+      if (has_row_(f, k) == 0) out(i, k) = input.own;
+    }
   }
-  log_own_share_ = shares < 1 ? std::log(1 - shares) : -std::numeric_limits<double>::infinity();
+  return out;
 }
 
-const KindTerm* Mixture::term(int kind, std::size_t feature) const {
-  if (kind < 0) return nullptr;
-  const Kind& of = kinds_[static_cast<std::size_t>(kind)];
-  return of.term_of_feature[feature] < 0 ? nullptr : &of.terms[static_cast<std::size_t>(of.term_of_feature[feature])];
+Mixture::Row Mixture::log_summands(std::span<const MixtureInput> inputs, const Table& terms) const {
+  Row logs = log_shares_;
+  for (Eigen::Index i = 0; i < terms.rows(); ++i) logs += inputs[static_cast<std::size_t>(i)].weight * terms.row(i);
+  return logs;
 }
 
-double Mixture::log_share(int kind) const { return kind < 0 ? log_own_share_ : kinds_[static_cast<std::size_t>(kind)].log_share; }
+double Mixture::log_density(std::span<const MixtureInput> inputs) const { return log_sum(log_summands(inputs, log_terms(inputs))); }
 
-double Mixture::log_density(const MixtureInput& input, int kind) const {
-  const KindTerm* const term = this->term(kind, input.feature);
-  return term == nullptr ? input.own : term->log_density(input.scaled, input.error);
-}
-
-double Mixture::log_product(std::span<const MixtureInput> inputs, int kind) const {
-  double log = log_share(kind);
-  if (kind < 0) {
-    for (const MixtureInput& input : inputs) log += input.weight * input.own;
-    return log;
+Mixture::Division Mixture::divide(std::span<const MixtureInput> inputs) const {
+  const Table terms = log_terms(inputs);
+  const Row logs = log_summands(inputs, terms);
+  const double all = log_sum(logs);
+  const Row shares = (logs - all).exp();
+  Division out;
+  Eigen::Index likeliest = 0;
+  shares.maxCoeff(&likeliest);
+  const bool own = likeliest == means_.cols();
+  out.likeliest = own ? 0 : numbers_[static_cast<std::size_t>(likeliest)];
+  for (Eigen::Index i = 0; i < terms.rows(); ++i) {
+    const auto f = static_cast<Eigen::Index>(inputs[static_cast<std::size_t>(i)].feature);
+    const bool told = !own && has_row_(f, likeliest) != 0;
+    out.means.push_back(told ? means_(f, likeliest) : std::numeric_limits<double>::quiet_NaN());
+    out.sigmas.push_back(told ? sigma_of(half_precisions_(f, likeliest)) : std::numeric_limits<double>::quiet_NaN());
+    out.log_likelihoods.push_back((terms.row(i) * shares).sum());
   }
-  const Kind& of = kinds_[static_cast<std::size_t>(kind)];
-  for (const MixtureInput& input : inputs) {
-    const int term = of.term_of_feature[input.feature];
-    log += input.weight * (term < 0 ? input.own : of.terms[static_cast<std::size_t>(term)].log_density(input.scaled, input.error));
+  for (Eigen::Index k = 0; k < shares.size(); ++k) {
+    if (shares[k] > 0) out.usual += shares[k] * (log_shares_[k] - (logs[k] - all));
   }
-  return log;
-}
-
-double Mixture::log_density(std::span<const MixtureInput> inputs) const {
-  std::vector<double> logs{log_product(inputs, -1)};
-  for (int kind = 0; kind < static_cast<int>(kinds_.size()); ++kind) logs.push_back(log_product(inputs, kind));
-  return log_sum(logs);
-}
-
-Responsibilities Mixture::responsibilities(std::span<const MixtureInput> inputs) const {
-  Responsibilities out{log_product(inputs, -1)};
-  for (int kind = 0; kind < static_cast<int>(kinds_.size()); ++kind) out.push_back(log_product(inputs, kind));
-  const double all = log_sum(out);
-  for (double& share : out) share = std::exp(share - all);
   return out;
 }
 
