@@ -60,7 +60,7 @@ TEST(PartAtGaps, PartsTwoThingsWithTheDeskSeenBetween) {
     Regions regions = joined_things(scene);
     part_at_gaps(scene.cloud, kLimits, regions);
     ASSERT_EQ(regions.planes.size(), 2u) << "turned by " << turn;
-    EXPECT_EQ(best_overlaps(scene, regions.of_point, 2), std::vector<double>(2, 1.0)) << "turned by " << turn;
+    EXPECT_EQ(best_overlaps(scene, regions.of_point, 3), (std::vector<double>{1, 1, 0})) << "turned by " << turn;
     EXPECT_NEAR(regions.planes[0].count + regions.planes[1].count, static_cast<double>(std::count_if(scene.truth.begin(), scene.truth.end(), [](int t) { return t < 2; })), 1e-9);
   }
 }
@@ -89,7 +89,7 @@ TEST(PartAtGaps, GivesStraysToTheNearestThing) {
   Regions regions = joined_things(scene);
   part_at_gaps(scene.cloud, kLimits, regions);
   ASSERT_EQ(regions.planes.size(), 2u);
-  EXPECT_EQ(best_overlaps(scene, regions.of_point, 2), std::vector<double>(2, 1.0));
+  EXPECT_EQ(best_overlaps(scene, regions.of_point, 3), (std::vector<double>{1, 1, 0}));
 }
 
 TEST(PartAtGaps, TakesNothing) {
