@@ -23,6 +23,12 @@ CREATE TABLE kind_feature (
 ) STRICT;
 CREATE INDEX kind_feature_feature ON kind_feature(feature);
 
+-- Also for programs that leave foreign keys switched off, as the sqlite3 shell does.
+CREATE TRIGGER class_kind_deleted AFTER DELETE ON class_kind
+BEGIN
+  DELETE FROM kind_feature WHERE class = OLD.class AND kind = OLD.kind;
+END;
+
 INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES
   ('class_kind', 'attributes', 'class_kind', 'kinds that classes consist of', NULL),
   ('kind_feature', 'attributes', 'kind_feature', 'Gaussian of a feature of a kind', NULL);

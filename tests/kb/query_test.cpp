@@ -127,9 +127,12 @@ TEST_F(Query, OverlappingBinsAreRefused) {
 }
 
 TEST_F(Query, KindsThatCannotBeAreNamed) {
-  shell("DELETE FROM class_kind WHERE class = 'table'");
-  EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("kind_feature row ('table', 1, 'area_m2')"), HasSubstr("no such row in class_kind")));
-  shell("DELETE FROM kind_feature WHERE class = 'table'; INSERT INTO class_kind (class, kind, share) VALUES ('table', 1, 0.7), ('table', 2, 0.4)");
+  shell("INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES ('table', 99, 'height', 1, 1)");
+  EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("kind_feature row ('table', 99, 'height')"), HasSubstr("no such row in class_kind")));
+  shell("DELETE FROM kind_feature WHERE kind = 99; DELETE FROM class_kind WHERE class = 'table'");
+  const Knowledge read = base_.knowledge();
+  for (const ClassKind& kind : read.kinds) EXPECT_NE(kind.object_class, "table");  // what the kinds said of features went with them, foreign keys or not
+  shell("INSERT INTO class_kind (class, kind, share) VALUES ('table', 1, 0.7), ('table', 2, 0.4)");
   EXPECT_THAT(knowledge_error(), AllOf(HasSubstr("class_kind row ('table', 2)"), HasSubstr("add up to more than 1")));
   shell("UPDATE class_kind SET share = 0.3 WHERE class = 'table' AND kind = 2; INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES ('table', 1, 'heigt', 1, 1)");
   EXPECT_THAT(knowledge_error(), HasSubstr("kind_feature row ('table', 1, 'heigt'): feature 'heigt' does not exist; did you mean 'height'?"));
