@@ -203,7 +203,12 @@ struct KeptReason {
 /// have a hash that none has.
 std::vector<KeptReason> reasons_before(const Database& database, std::int64_t run, const std::optional<KeptResult>& kept,
                                        const std::vector<Reason>& reasons, const std::vector<std::uint64_t>& hashes) {
-  if (kept && kept->inputs_sha256 == std::to_string(run)) return kept->get<KeptReason>();
+  if (kept && kept->inputs_sha256 == std::to_string(run)) {
+    std::vector<KeptReason> rows = kept->get<KeptReason>();
+    Statement count = database.prepare("SELECT count(*) FROM reason WHERE run_id = ?");
+    auto row = count.use();
+    if (row(run).next() && row.integer(0) == static_cast<std::int64_t>(rows.size())) return rows;  // else somebody cut what is kept
+  }
   std::vector<KeptReason> before;
   Statement select = database.prepare("SELECT id, " + std::string(kReasonColumns) + " FROM reason WHERE run_id = ? ORDER BY id");
   auto row = select.use();

@@ -339,7 +339,8 @@ TEST(KnowledgeBase, ReplacesReasonsWhicheverOfThemChangedAndWhoeverChangedThem) 
   };
   const std::vector<std::string> tampering = {
       "", "UPDATE reason SET sentence = 'mine' WHERE id = (SELECT min(id) FROM reason)", "DELETE FROM reason WHERE id % 3 = 0",
-      "INSERT INTO reason (run_id, plane_id, class, kind, amount, sentence) SELECT id, 1, 'table', 'support', 1, 'mine' FROM run"};
+      "INSERT INTO reason (run_id, plane_id, class, kind, amount, sentence) SELECT id, 1, 'table', 'support', 1, 'mine' FROM run",
+      "UPDATE kept_result SET content = x'00ff' WHERE what = 'reasons'"};
   for (int turn = 0; turn < 60; ++turn) {
     std::vector<Reason>& reasons = inference.reasons;
     const int wanted = draw(3) == 0 ? draw(12) : static_cast<int>(reasons.size());
