@@ -17,7 +17,7 @@ constexpr double kReference = 3;  // metres; the depth at which the noise is wha
 
 struct Pixel {
   double disparity = 0;  ///< pixels; 0 = hole
-  int object = -1;
+  int object = -1, face = -1;
 };
 
 class Frame {
@@ -90,7 +90,7 @@ Pixel Frame::look(int column, int row) const {
   const Vector3d way = projector - point;
   const double distance = way.norm();
   const bool shaded = world_.shapes.cast({point, way / distance}, 2e-3, distance).shape != nullptr;
-  return shaded ? Pixel{} : Pixel{kFocal * kBaseline / depth, hit.shape->surface};
+  return shaded ? Pixel{} : Pixel{kFocal * kBaseline / depth, hit.shape->surface, hit.shape->face};
 }
 
 // Matching looks at a window of pixels: what lies in it is averaged, and near an edge either side may win, the nearer
@@ -120,7 +120,9 @@ Pixel Frame::match(int column, int row) const {
   const double noisy = sum / like + at_reference * random.normal();
   // Away from edges a filled hole belongs to what surrounds it; at edges what grew over is a mixed pixel.
   const bool surrounded = like * 4 >= all * 3;
-  return {std::round(noisy / kStep) * kStep, base.object == middle.object || surrounded ? base.object : -1};
+  const double disparity = std::round(noisy / kStep) * kStep;
+  if (base.object != middle.object && !surrounded) return {disparity, -1, -1};
+  return {disparity, base.object, base.face};
 }
 
 std::vector<Sample> Frame::take() {
@@ -137,7 +139,7 @@ std::vector<Sample> Frame::take() {
       const Pixel pixel = match(column, row);
       if (pixel.disparity <= 0) continue;
       const double depth = kFocal * kBaseline / pixel.disparity;
-      samples.push_back({pose_.position + turn_ * (depth * direction(column, row)), pixel.object});
+      samples.push_back({pose_.position + turn_ * (depth * direction(column, row)), pixel.object, pixel.face});
     }
   });
 }

@@ -18,7 +18,7 @@ constexpr double kMixing = 0.6;  // how often such echoes are measured as one, b
 
 struct Reading {
   double range = kMiss;
-  int object = -1;
+  int object = -1, face = -1;
 };
 
 // A white wall at 30 m answers with strength 1, which is still enough; a tenth of it is not.
@@ -50,10 +50,11 @@ Reading measure(const World& world, const Ray& ray, Random& random) {
     const Hit other = world.shapes.cast(beside(ray, random), 0.02, hit.range + kPulse);
     const double gap = other.shape == nullptr ? 0 : std::abs(other.range - hit.range), share = random.uniform();
     if (gap > 0.05 && gap < kPulse && other.shape->surface != hit.shape->surface) {
-      return {share * hit.range + (1 - share) * other.range + error, -1};
+      return {share * hit.range + (1 - share) * other.range + error, -1, -1};
     }
   }
-  return {hit.range + world.bias[static_cast<std::size_t>(hit.shape->surface)] + error, hit.shape->surface};
+  return {hit.range + world.bias[static_cast<std::size_t>(hit.shape->surface)] + error, hit.shape->surface,
+          hit.shape->face};
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::vector<Sample> scan_lidar(const World& world, const SensorPose& pose, doubl
       const Ray ray{pose.position, turn * Vector3d(std::cos(angle), std::sin(angle), 0)};
       const Reading reading = measure(world, ray, random);
       if (reading.range == kMiss || reading.range < kNearest) continue;
-      samples.push_back({ray.origin + reading.range * ray.direction, reading.object});
+      samples.push_back({ray.origin + reading.range * ray.direction, reading.object, reading.face});
     }
   });
 }

@@ -30,7 +30,8 @@ struct SensorPose {
 
 struct Sample {
   Vector3d point;
-  int object;  ///< index; -1 for a mixed pixel
+  int object;     ///< index; -1 for a mixed pixel
+  int face = -1;  ///< index of the planar face; -1 on curved things, and for a mixed pixel
 };
 
 /// Tilting line scanner; `scale` multiplies its angular steps of 0.25 and 0.3 degrees.

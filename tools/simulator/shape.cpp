@@ -138,6 +138,13 @@ double intersect(const Shape& shape, const Ray& ray, double nearest) {
   }
 }
 
+// The dual of the dual vectors.
+std::pair<Vector3d, Vector3d> edges(const Shape& shape) {
+  const Vector3d cross = shape.c.cross(shape.d);
+  const double squared = cross.squaredNorm();
+  return {shape.d.cross(cross) / squared, cross.cross(shape.c) / squared};
+}
+
 Vector3d normal_at(const Shape& shape, const Vector3d& point) {
   const Vector3d local = point - shape.a;
   switch (shape.kind) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <limits>
+#include <utility>
 
 namespace scenelore::simulator {
 
@@ -21,6 +22,7 @@ struct Shape {
   enum class Kind : unsigned char { quad, triangle, disc, cylinder, ellipsoid };
   Kind kind = Kind::quad;
   int surface = 0;   ///< index of the object it belongs to
+  int face = -1;     ///< index of the planar face that it is part of (faces.hpp), −1 = none
   int material = 0;  ///< see scene.hpp
   Vector3d a = Vector3d::Zero(), b = Vector3d::Zero(), c = Vector3d::Zero(), d = Vector3d::Zero();
   double radius = 0, height = 0, limit = 0;
@@ -43,6 +45,8 @@ struct Shape {
 
 /// Distance of the first hit beyond `nearest`, or kMiss.
 [[nodiscard]] double intersect(const Shape& shape, const Ray& ray, double nearest);
+/// The two edges of a quad or triangle from its corner.
+[[nodiscard]] std::pair<Vector3d, Vector3d> edges(const Shape& shape);
 /// Unit normal at a point of the shape; outwards, or u × v for flat ones.
 [[nodiscard]] Vector3d normal_at(const Shape& shape, const Vector3d& point);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "simulator/faces.hpp"
 #include "simulator/poses.hpp"
 
 namespace scenelore::simulator {
@@ -98,6 +99,19 @@ std::vector<TruthObject> make_truth(const std::vector<Object>& objects, const st
   return truth;
 }
 
+/// Faces without visible points keep their numbers.
+void tell_faces(const std::vector<PoseScan>& scans, const std::vector<Face>& faces, const Eigen::Isometry3d& frame,
+                SimulatedScan& out) {
+  for (const Face& face : faces) out.faces.push_back({.normal = frame.linear() * face.normal, .width = face.width});
+  out.face_of_point.reserve(out.points.rows);
+  for (const PoseScan& scan : scans) {
+    for (const Sample& sample : scan.samples) {
+      out.face_of_point.push_back(sample.face);
+      if (sample.face >= 0) ++out.faces[static_cast<std::size_t>(sample.face)].points;
+    }
+  }
+}
+
 std::vector<double> draw_bias(const SimulationOptions& options, std::size_t objects) {
   std::vector<double> bias(objects);
   for (std::size_t i = 0; i < objects; ++i)
@@ -112,7 +126,9 @@ SimulatedScan simulate(const SimulationOptions& options) {
   const Office office =
       make_office(options.seed, options.inventory.value_or(draw_inventory(options.seed, options.room)), options.varied, options.room);
   const std::vector<Object>& objects = office.scene.objects();
-  const Bvh shapes(office.scene.shapes());
+  std::vector<Shape> drawn = office.scene.shapes();
+  const std::vector<Face> faces = number_faces(drawn);
+  const Bvh shapes(std::move(drawn));
   const World world{
       .shapes = shapes, .seed = options.seed, .noise = options.noise, .bias = draw_bias(options, objects.size()), .bends = options.varied};
   const PosePlan planned = plan_poses(office, world, options);
@@ -126,7 +142,10 @@ SimulatedScan simulate(const SimulationOptions& options) {
     std::transform(counts.begin(), counts.end(), more.begin(), counts.begin(), std::plus<>());
   }
   const Eigen::Isometry3d frame = cloud_from_room(planned.poses.front(), options);
-  return {make_table(scans, objects, frame), make_truth(objects, counts, frame)};
+  SimulatedScan out{
+      .points = make_table(scans, objects, frame), .objects = make_truth(objects, counts, frame), .faces = {}, .face_of_point = {}};
+  tell_faces(scans, faces, frame, out);
+  return out;
 }
 
 }  // namespace scenelore::simulator

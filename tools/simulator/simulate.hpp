@@ -55,11 +55,20 @@ struct TruthObject {
   std::size_t points = 0;      ///< visible points
 };
 
+/// One planar face as geometry has it, whatever objects its parts belong to: coplanar things that touch are one (faces.hpp).
+struct TruthFace {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< in the cloud's frame
+  double width = 0;            ///< metres, shorter side of its widest part
+  std::size_t points = 0;      ///< visible points
+};
+
 struct SimulatedScan {
   /// x y z (float), label (int, class id of the default knowledge, 0 = mixed pixel), instance (int); where the sensor stood is the table's
   /// viewpoint, of several poses vp_x vp_y vp_z (float) of each point.
   perception::PointTable points;
   std::vector<TruthObject> objects;
+  std::vector<TruthFace> faces;
+  std::vector<std::int32_t> face_of_point;  ///< index in faces, −1 = on a curved thing, or a mixed pixel
 };
 
 /// Deterministic: same options, same bytes.
