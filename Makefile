@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench experiments table1 relabel segmentation_bench rules_bench knowledge nightly asan clean
+.PHONY: demo test build bench engine_bench experiments table1 relabel label_bench segmentation_bench rules_bench knowledge nightly asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -31,6 +31,11 @@ experiments: bench
 # Time of `scenelore label` after one changed row and after one edited rule, on eleven simulated rooms.
 relabel: bench
 	build/bench/bin/relabel
+
+# Time of each step from stored planes to labels and reasons, in memory, on five simulated rooms; SCANS="a.gpkg …" for others.
+SCANS ?=
+label_bench: bench
+	build/bench/bin/label_bench $(SCANS)
 
 # Segmentation beside PCL and CGAL on simulated rooms; OPTIONS="--scans FOLDER" for real scans, --only NAME for some methods.
 OPTIONS ?=
