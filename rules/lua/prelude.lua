@@ -331,7 +331,7 @@ function environment.relation(t)
   return {
     kind = "relation", declared = whole, name = whole.name, summary = whole.summary, within = whole.within or huge,
     within_plan = whole.within_plan or huge, symmetric = whole.symmetric or false, ask = asker(whole, self),
-    direct = whole.applies == nil and whole.degree or nil, self = self, tolerances = tolerances,
+    applies = whole.applies, degree = whole.degree, self = self, tolerances = tolerances,
     converse = t.converse, plain = t.converse and is_plain(t) or false,
   }
 end

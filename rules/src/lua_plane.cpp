@@ -88,13 +88,13 @@ void push_kept(RuleHost& host, int& reference, Make make) {
   lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
 }
 
-/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed. `rare_fields` keeps the
-/// metatable of such values, which answers with `unknown` for names that they lack.
-void push_handle(RuleHost& host, int plane, int& rare_fields, lua_CFunction unknown) {
+/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed. `missing_fields` keeps the
+/// metatable of such values, which asks `missing` for names that they lack.
+void push_handle(RuleHost& host, int plane, int& missing_fields, lua_CFunction missing) {
   lua_State* state = host.lua.get();
-  push_kept(host, rare_fields, [&] {
+  push_kept(host, missing_fields, [&] {
     lua_createtable(state, 0, 1);
-    push_function(host, unknown);
+    push_function(host, missing);
     lua_setfield(state, -2, "__index");
   });
   lua_setmetatable(state, -2);
@@ -123,26 +123,34 @@ void push_normal(RuleHost& host, const Eigen::Vector3d& normal) {
   set_number(state, "x", normal.x());
   set_number(state, "y", normal.y());
   set_number(state, "z", normal.z());
-  push_handle(host, -1, host.rare_fields_of_vectors, guarded<unknown_vector_field>);
+  push_handle(host, -1, host.missing_fields_of_vectors, guarded<unknown_vector_field>);
 }
 
-/// What few rules ask for is made when one does: the normal, and the features of the catalogue. Arguments are the values and the key
-/// that they lack.
-int rare_plane_field(lua_State* state) {
+/// Its address is the key under which a plane's values keep its index; no rule can make such a key.
+constexpr char kIndexKey = 0;
+
+/// Most rules ask for two or three of the fields, so each is made when it is first asked for. Arguments are the values and the key that
+/// they lack.
+int missing_plane_field(lua_State* state) {
   RuleHost& host = host_of(state);
   std::size_t length = 0;
   const char* text = lua_type(state, 2) == LUA_TSTRING ? lua_tolstring(state, 2, &length) : "?";
   const std::string_view key(text, length);
-  lua_getfield(state, 1, "id");
-  const auto& ids = host.scene->ids;
-  const auto index = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), lua_tointeger(state, -1)) - ids.begin());
+  lua_rawgetp(state, 1, &kIndexKey);
+  const auto index = static_cast<std::size_t>(lua_tointeger(state, -1));
   const kb::FeatureTable& features = host.scene->features;
+  const auto field = std::find_if(std::begin(kFields), std::end(kFields), [&](const PlaneField& f) { return key == f.name; });
   const auto column = static_cast<std::size_t>(std::find(features.names.begin(), features.names.end(), key) - features.names.begin());
   const LuaState::HostMemory memory(host.lua);
   const std::string_view looked_at = column < features.names.size() ? key : "?";  // any other name: all that matters is that it is none
-  if (key != "normal" && !host.features_read.contains(looked_at)) host.features_read.emplace(looked_at);
-  if (key == "normal") {
+  const bool built_in = field != std::end(kFields) || key == "normal" || key == "id";
+  if (!built_in && !host.features_read.contains(looked_at)) host.features_read.emplace(looked_at);
+  if (field != std::end(kFields)) {
+    lua_pushnumber(state, field->value(host.scene->planes[index]));
+  } else if (key == "normal") {
     push_normal(host, host.scene->planes[index].normal);
+  } else if (key == "id") {
+    lua_pushinteger(state, host.scene->ids[index]);
   } else if (index < features.values.size() && column < std::min(features.names.size(), features.values[index].size())) {
     lua_pushnumber(state, features.values[index][column]);  // while features are being computed, the one at work has a name, but no value
   } else {
@@ -157,11 +165,10 @@ int rare_plane_field(lua_State* state) {
 
 void make_plane(RuleHost& host, std::size_t index) {
   lua_State* state = host.lua.get();
-  lua_createtable(state, 0, static_cast<int>(std::size(kFields) + 2));
-  for (const PlaneField& field : kFields) set_number(state, field.name, field.value(host.scene->planes[index]));
-  lua_pushinteger(state, host.scene->ids[index]);
-  lua_setfield(state, -2, "id");
-  push_handle(host, static_cast<int>(index), host.rare_fields_of_planes, guarded<rare_plane_field>);
+  lua_createtable(state, 0, 4);
+  lua_pushinteger(state, static_cast<lua_Integer>(index));
+  lua_rawsetp(state, -2, &kIndexKey);
+  push_handle(host, static_cast<int>(index), host.missing_fields_of_planes, guarded<missing_plane_field>);
 }
 
 using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);
@@ -254,17 +261,19 @@ void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
   host.planes.assign(scene == nullptr ? 0 : scene->planes.size(), LUA_NOREF);
 }
 
-void push_plane(RuleHost& host, int index) {
-  lua_State* state = host.lua.get();
+void make_known(RuleHost& host, int index) {
   const auto at = static_cast<std::size_t>(index);
   if (at >= host.planes.size()) host.planes.resize(at + 1, LUA_NOREF);  // the scene of a test file grows while it is looked at
   int& reference = host.planes[at];
-  if (reference == LUA_NOREF) {
-    const LuaState::HostMemory memory(host.lua);
-    make_plane(host, at);
-    reference = luaL_ref(state, LUA_REGISTRYINDEX);
-  }
-  lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
+  if (reference != LUA_NOREF) return;
+  const LuaState::HostMemory memory(host.lua);
+  make_plane(host, at);
+  reference = luaL_ref(host.lua.get(), LUA_REGISTRYINDEX);
+}
+
+void push_plane(RuleHost& host, int index) {
+  make_known(host, index);
+  lua_rawgeti(host.lua.get(), LUA_REGISTRYINDEX, host.planes[static_cast<std::size_t>(index)]);
 }
 
 }  // namespace scenelore::rules

@@ -30,6 +30,9 @@ class LuaState {
   /// went wrong; text and file positions are as a rule author should read them.
   void call(int arguments, int results);
 
+  /// Gives what runs from here on a whole budget, instructions and time; call() does.
+  void start_counting();
+
   /// Pushes the function that a text compiles to. `shown` is the name in messages. Throws Error: syntax error, bytecode.
   void load(std::string_view text, const std::string& shown);
 
@@ -56,7 +59,6 @@ class LuaState {
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t size);
   static void count_hook(lua_State* state, lua_Debug* activation);
   static int describe_error(lua_State* state);
-  void start_counting();
   void load_as(std::string_view text, const std::string& shown, const char* mode);
   [[nodiscard]] std::string with_path(std::string message) const;
 

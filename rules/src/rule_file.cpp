@@ -68,15 +68,11 @@ void RuleFile::take_over() {
     lua_rawget(state, -2);
     relation_.plain_converse = lua_toboolean(state, -1) != 0;
     lua_pop(state, 1);
-    lua_pushliteral(state, "direct");
-    if (lua_rawget(state, -2) == LUA_TFUNCTION) {
-      direct_ = luaL_ref(state, LUA_REGISTRYINDEX);
-      lua_pushliteral(state, "self");
-      lua_rawget(state, -2);
-      self_ = luaL_ref(state, LUA_REGISTRYINDEX);
-    } else {
-      lua_pop(state, 1);
-    }
+    applies_ = function_field("applies");
+    degree_ = function_field("degree");
+    lua_pushliteral(state, "self");
+    lua_rawget(state, -2);
+    self_ = luaL_ref(state, LUA_REGISTRYINDEX);
     lua_pushliteral(state, "symmetric");
     lua_rawget(state, -2);
     relation_.symmetric = lua_toboolean(state, -1) != 0;
@@ -132,6 +128,15 @@ double RuleFile::number_field(const char* name) const {
   return value;
 }
 
+/// Reference of a function in the table on top of the stack.
+int RuleFile::function_field(const char* name) const {
+  lua_State* state = host_->lua.get();
+  lua_pushstring(state, name);
+  if (lua_rawget(state, -2) == LUA_TFUNCTION) return luaL_ref(state, LUA_REGISTRYINDEX);
+  lua_pop(state, 1);
+  return LUA_NOREF;
+}
+
 /// A message always begins with the file, also when Lua could not tell the line.
 Error RuleFile::located(const Error& error, const std::string& about) const {
   const std::string message = error.what();
@@ -141,31 +146,87 @@ Error RuleFile::located(const Error& error, const std::string& about) const {
 
 void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) { set_scene(*host_, scene, geometry); }
 
-double RuleFile::degree(int a, int b) {
-  lua_State* state = host_->lua.get();
-  try {
-    if (direct_ != LUA_NOREF) {
-      lua_rawgeti(state, LUA_REGISTRYINDEX, direct_);
-      push_plane(*host_, a);
-      push_plane(*host_, b);
-      lua_rawgeti(state, LUA_REGISTRYINDEX, self_);
-      host_->lua.call(3, 1);
-      const bool flag = lua_type(state, -1) == LUA_TBOOLEAN;
-      const double degree = flag ? lua_toboolean(state, -1) : lua_type(state, -1) == LUA_TNUMBER ? lua_tonumber(state, -1) : -1;
-      lua_pop(state, 1);
-      if (degree >= 0 && degree <= 1) return degree;
-    }
-    // The checked way, which says what is wrong with an answer.
-    lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+namespace {
+
+/// What answer_batch works through; behind its argument, so that nothing needs to be unwound when a rule fails.
+struct Batch {
+  RuleFile* file;
+  std::span<const std::pair<int, int>> pairs;
+  double* degrees;
+  std::size_t at = 0;
+};
+
+/// A number from 0 to 1, true or false, taken from the stack; −1 for anything else.
+double plain_degree(lua_State* state) {
+  const int type = lua_type(state, -1);
+  const double degree = type == LUA_TNUMBER ? lua_tonumber(state, -1) : type == LUA_TBOOLEAN ? lua_toboolean(state, -1) : -1;
+  lua_pop(state, 1);
+  return degree >= 0 && degree <= 1 ? degree : -1;
+}
+
+}  // namespace
+
+/// Inside a protected call: an error ends it.
+double RuleFile::answer(lua_State* state, int a, int b) {
+  host_->lua.start_counting();
+  const auto call = [&](int function) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, function);
     push_plane(*host_, a);
     push_plane(*host_, b);
-    host_->lua.call(2, 1);
-  } catch (const Error& error) {
-    const auto id = [&](int plane) { return std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]); };
-    throw located(error, " (relation '" + name_ + "', planes " + id(a) + " and " + id(b) + ")");
+    lua_rawgeti(state, LUA_REGISTRYINDEX, self_);
+    lua_call(state, 3, 1);
+  };
+  bool may = true;
+  if (applies_ != LUA_NOREF) {
+    call(applies_);
+    const bool plain = lua_type(state, -1) == LUA_TBOOLEAN;
+    may = plain && lua_toboolean(state, -1) != 0;
+    lua_pop(state, 1);
+    if (plain && !may) return 0;
   }
+  if (may) {
+    call(degree_);
+    const double degree = plain_degree(state);
+    if (degree >= 0) return degree;
+  }
+  lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
+  push_plane(*host_, a);
+  push_plane(*host_, b);
+  lua_call(state, 2, 1);
   const double degree = lua_tonumber(state, -1);
   lua_pop(state, 1);
+  return degree;
+}
+
+int RuleFile::answer_batch(lua_State* state) {
+  Batch& batch = *static_cast<Batch*>(lua_touserdata(state, 1));
+  for (; batch.at < batch.pairs.size(); ++batch.at) {
+    batch.degrees[batch.at] = batch.file->answer(state, batch.pairs[batch.at].first, batch.pairs[batch.at].second);
+  }
+  return 0;
+}
+
+void RuleFile::degrees(std::span<const std::pair<int, int>> pairs, double* degrees) {
+  for (const auto& [a, b] : pairs) {  // what memory is used for planes is not the rule's
+    make_known(*host_, a);
+    make_known(*host_, b);
+  }
+  Batch batch{this, pairs, degrees};
+  lua_pushcfunction(host_->lua.get(), answer_batch);
+  lua_pushlightuserdata(host_->lua.get(), &batch);
+  try {
+    host_->lua.call(1, 0);
+  } catch (const Error& error) {
+    const auto id = [&](int plane) { return std::to_string(host_->scene->ids[static_cast<std::size_t>(plane)]); };
+    const auto [a, b] = pairs[batch.at];
+    throw located(error, " (relation '" + name_ + "', planes " + id(a) + " and " + id(b) + ")");
+  }
+}
+
+double RuleFile::degree(int a, int b) {
+  const std::pair<int, int> pair{a, b};
+  double degree = 0;
+  degrees({&pair, 1}, &degree);
   return degree;
 }
 

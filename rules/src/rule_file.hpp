@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rule_host.hpp"
@@ -37,6 +39,9 @@ class RuleFile {
 
   /// In [0, 1]; 0 = does not hold. Throws Error naming relation and both planes.
   double degree(int a, int b);
+  /// The same of many ordered pairs, in one call into the state: half of what a short relation takes is the way there and back.
+  /// Each pair has the whole budget of a call. `degrees` has room for as many.
+  void degrees(std::span<const std::pair<int, int>> pairs, double* degrees);
   /// NaN = not known.
   double value(int plane);
   /// Of a constraint over several planes; nothing where it does not apply.
@@ -52,6 +57,9 @@ class RuleFile {
 
  private:
   void take_over();
+  static int answer_batch(lua_State* state);
+  double answer(lua_State* state, int a, int b);
+  [[nodiscard]] int function_field(const char* name) const;
   [[nodiscard]] std::string text_field(const char* name) const;
   [[nodiscard]] double number_field(const char* name) const;
   [[nodiscard]] Error located(const Error& error, const std::string& about) const;
@@ -63,9 +71,11 @@ class RuleFile {
   RelationInfo relation_;
   kb::Feature feature_;
   TupleConstraint constraint_;
+  // Registry. `ask_` checks what the others answer and says what is wrong with it.
   int ask_ = LUA_NOREF;
-  int direct_ = LUA_NOREF, self_ = LUA_NOREF;  // of a relation without `applies`: its own function, its tolerances
-  bool direct_is_filter_ = false;              // of a constraint: `direct_` is its `applies`, else its degree
+  int applies_ = LUA_NOREF, degree_ = LUA_NOREF, self_ = LUA_NOREF;  // of a relation: its own functions, its tolerances
+  int direct_ = LUA_NOREF;         // of a constraint: its `applies`, else its degree
+  bool direct_is_filter_ = false;  // the former
 };
 
 }  // namespace scenelore::rules

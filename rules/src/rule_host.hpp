@@ -31,7 +31,7 @@ struct RuleHost {
   std::set<std::string, std::less<>> features_read;  ///< of the catalogue, since set_scene; "?" = some name that it lacks
   std::vector<int> planes;                       ///< registry: the planes of the scene, LUA_NOREF = not pushed yet
   /// Registry: what all planes and vectors have in common, made with the first of them.
-  int no_writing = LUA_NOREF, describe = LUA_NOREF, rare_fields_of_planes = LUA_NOREF, rare_fields_of_vectors = LUA_NOREF;
+  int no_writing = LUA_NOREF, describe = LUA_NOREF, missing_fields_of_planes = LUA_NOREF, missing_fields_of_vectors = LUA_NOREF;
   int environment = LUA_NOREF;                   ///< registry: globals of the file
 };
 
@@ -44,7 +44,10 @@ void enter_environment(RuleHost& host);
 /// The planes asked about from now on. Both must outlive the next call into the state; nullptr for none.
 void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry);
 
-/// Pushes plane number `index` of the scene as a Lua value; made when first needed.
+/// Makes plane number `index` of the scene a Lua value, unless it is one.
+void make_known(RuleHost& host, int index);
+
+/// Pushes that value; makes it if need be.
 void push_plane(RuleHost& host, int index);
 
 /// Index of the plane at stack position `argument`. Throws Error naming `function` when it is something else.

@@ -152,5 +152,33 @@ TEST(SandboxedFile, NamesThePlanesItFailedOn) {
   EXPECT_EQ(outcome_of("error('no')"), "attack.lua:2: no (relation 'attack', planes 1 and 2)");
 }
 
+TEST(SandboxedFile, NamesThePlanesItFailedOnAmongManyPairs) {
+  const Scene scene = make_scene(std::vector<MadePlane>{{}, {.center = {0, 0, 1}}, {.center = {0, 0, 2}}});
+  PairGeometry geometry(scene.planes);
+  RuleFile file({"a.lua", relation_with("if a.z > 1.5 and b.z > 0.5 then error('no') end return a.z > b.z")}, kSmall);
+  file.look_at(&scene, &geometry);
+  const std::vector<std::pair<int, int>> pairs{{1, 0}, {0, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}};
+  double degrees[6] = {};
+  try {
+    file.degrees(pairs, degrees);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "a.lua:2: no (relation 'attack', planes 3 and 2)");
+  }
+  file.degrees(std::span(pairs).first(4), degrees);
+  EXPECT_EQ(std::vector<double>(degrees, degrees + 4), (std::vector<double>{1, 0, 1, 0}));
+}
+
+TEST(SandboxedFile, HasTheWholeBudgetForEachOfManyPairs) {
+  const Scene scene = make_scene(std::vector<MadePlane>{{}, {.center = {0, 0, 1}}});
+  PairGeometry geometry(scene.planes);
+  RuleFile file({"a.lua", relation_with("for i = 1, 200000 do end return 1")}, kSmall);
+  file.look_at(&scene, &geometry);
+  const std::vector<std::pair<int, int>> pairs(20, {0, 1});
+  std::vector<double> degrees(pairs.size());
+  file.degrees(pairs, degrees.data());
+  EXPECT_EQ(degrees, std::vector<double>(pairs.size(), 1));
+}
+
 }  // namespace
 }  // namespace scenelore::rules
