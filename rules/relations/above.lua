@@ -32,6 +32,6 @@ return relation {
       lift = 1 - falloff(a.height - b.height, r.same * noise, r.apart * noise)
     end
     return lift * falloff(top - a.z_min, r.sink, r.sunk)
-      * falloff(geometry.footprint_overlap(a, b, r.reach), r.enough, r.some)
+      * falloff(geometry.footprint_overlap(a, b, r.reach, r.some, r.enough), r.enough, r.some)
   end,
 }

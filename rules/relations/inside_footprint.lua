@@ -12,5 +12,5 @@ return relation {
   reach = 0.05,   -- metres beyond b's outline that still count as within
   enough = 0.95,  -- share of a's footprint: from here on fully
   some = 0.5,     -- up to here not at all
-  degree = function(a, b, r) return falloff(geometry.footprint_overlap(a, b, r.reach), r.enough, r.some) end,
+  degree = function(a, b, r) return falloff(geometry.footprint_overlap(a, b, r.reach, r.some, r.enough), r.enough, r.some) end,
 }

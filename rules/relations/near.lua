@@ -9,5 +9,5 @@ return relation {
   within = 1,
   full = 0.3,  -- metres: up to here fully
   none = 1.0,  -- from here on not at all
-  degree = function(a, b, r) return falloff(geometry.gap(a, b), r.full, r.none) end,
+  degree = function(a, b, r) return falloff(geometry.gap(a, b, r.full, r.none), r.full, r.none) end,
 }

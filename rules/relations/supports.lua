@@ -24,6 +24,7 @@ return relation {
   degree = function(a, b, r)
     local lift = b.z_min - a.height
     if lift < 0 then lift = -2 * lift end  -- through the surface is worse than above it
-    return falloff(lift, r.rests, r.floats) * falloff(geometry.footprint_overlap(b, a, r.reach), r.enough, r.some)
+    return falloff(lift, r.rests, r.floats)
+      * falloff(geometry.footprint_overlap(b, a, r.reach, r.some, r.enough), r.enough, r.some)
   end,
 }

@@ -11,5 +11,5 @@ return relation {
   within = 0.15,
   full = 0.05,  -- metres: up to here fully
   none = 0.15,  -- from here on not at all
-  degree = function(a, b, r) return falloff(geometry.gap(a, b), r.full, r.none) end,
+  degree = function(a, b, r) return falloff(geometry.gap(a, b, r.full, r.none), r.full, r.none) end,
 }

@@ -140,7 +140,7 @@ std::string language_meta() {
   out += "---Exact functions over two planes, each answer computed once.\ngeometry = {}\n\n";
   for (const GeometryFunction& f : geometry_table()) {
     const std::string further = f.further;
-    const std::string kind = "a: Plane, b: Plane" + (further.empty() ? "" : ", " + further + ": number?");
+    const std::string kind = "a: Plane, b: Plane" + (further.empty() ? "" : ", " + further);
     out += function_meta("geometry." + std::string(f.name), {f.name, kind.c_str(), "number", f.text});
   }
   out += "-- In test files (*_test.lua) only.\n\n";

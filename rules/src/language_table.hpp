@@ -21,7 +21,7 @@ struct PlaneField {
 struct GeometryFunction {
   const char* name;
   lua_CFunction function;
-  const char* further;  ///< parameters after a and b, "" = none
+  const char* further;  ///< parameters after a and b with their types, "" = none
   const char* text;     ///< begins with the unit
 };
 [[nodiscard]] std::span<const GeometryFunction> geometry_table();

@@ -190,15 +190,27 @@ double reach_argument(lua_State* state) {
   return reach;
 }
 
+/// Two numbers in any order, at stack position `first` and after it; none, for no limits.
+Limits limits_arguments(lua_State* state, int first, const char* function) {
+  if (lua_isnoneornil(state, first) && lua_isnoneornil(state, first + 1)) return {};
+  int is_number = 0, is_another = 0;
+  const double one = lua_tonumberx(state, first, &is_number), other = lua_tonumberx(state, first + 1, &is_another);
+  if (is_number != 0 && is_another != 0 && one == one && other == other) return {std::min(one, other), std::max(one, other)};
+  throw Error(std::string(function) + ": arguments " + std::to_string(first) + " and " + std::to_string(first + 1) +
+              " must be the two limits between which the answer matters");
+}
+
 constexpr GeometryFunction kGeometry[] = {
     {"angle", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.angle(a, b); }>>, "",
      "degrees between the planes, 0 to 90, whichever way they face"},
-    {"gap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.gap(a, b); }>>, "",
-     "metres, smallest distance of the outlines and what they enclose; 0 when they cross"},
+    {"gap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State* state) {
+       return g.gap(a, b, limits_arguments(state, 3, "geometry.gap"));
+     }>>, "low: number?, high: number?",
+     "metres, smallest distance of the outlines and what they enclose; 0 when they cross; between low and high where they are given"},
     {"footprint_overlap", guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State* state) {
-       return g.footprint_overlap(a, b, reach_argument(state));
-     }>>, "reach",
-     "share of the footprint of a over that of b, or within reach metres (default 0) of it"},
+       return g.footprint_overlap(a, b, reach_argument(state), limits_arguments(state, 4, "geometry.footprint_overlap"));
+     }>>, "reach: number?, low: number?, high: number?",
+     "share of the footprint of a over that of b, or within reach metres (default 0) of it; between low and high where they are given"},
     {"vertical_gap",
      guarded<pair_function<[](PairGeometry& g, int a, int b, lua_State*) { return g.vertical_gap(a, b); }>>, "",
      "metres from the top of b up to the lowest point of a; negative when they overlap in height"},

@@ -15,9 +15,9 @@ namespace {
 /// How an answer is kept; without gaps between the fields.
 struct Entry {
   std::int32_t a, b;
-  double reach, value;
+  double reach, low, high;
 };
-static_assert(sizeof(Entry) == 24);
+static_assert(sizeof(Entry) == 32);
 
 }  // namespace
 
@@ -47,16 +47,33 @@ double PairGeometry::angle(int a, int b) const {
   return std::atan2(n.cross(m).norm(), std::abs(n.dot(m))) * 180 / std::numbers::pi;
 }
 
-double PairGeometry::gap(int a, int b) {
-  const auto [entry, fresh] = known_.try_emplace(Key{std::min(a, b), std::max(a, b), -1});
-  if (fresh) entry->second = hull_gap(shape(std::min(a, b)), shape(std::max(a, b)));
-  return entry->second;
+/// The limits tell what must be known; what is found out is kept.
+template <typename Compute>
+double PairGeometry::known_or(const Key& key, const Limits& limits, Compute compute) {
+  Range& range = known_[key];
+  if (range.low == range.high) return limits(range.low);
+  if (range.low >= limits.high) return limits.high;
+  if (range.high <= limits.low) return limits.low;
+  has_news_ = true;
+  const double value = compute();
+  if (value >= limits.high) {
+    range.low = limits.high;
+  } else if (value <= limits.low) {
+    range.high = limits.low;
+  } else {
+    range = {value, value};
+  }
+  return value;
 }
 
-double PairGeometry::footprint_overlap(int a, int b, double reach) {
-  const auto [entry, fresh] = known_.try_emplace(Key{a, b, std::max(reach, 0.0)});
-  if (fresh) entry->second = footprint_share(shape(a), shape(b), std::max(reach, 0.0));
-  return entry->second;
+double PairGeometry::gap(int a, int b, const Limits& limits) {
+  const int i = std::min(a, b), j = std::max(a, b);
+  return known_or({i, j, -1}, limits, [&] { return hull_gap(shape(i), shape(j), limits); });
+}
+
+double PairGeometry::footprint_overlap(int a, int b, double reach, const Limits& limits) {
+  reach = std::max(reach, 0.0);
+  return known_or({a, b, reach}, limits, [&] { return footprint_share(shape(a), shape(b), reach, limits); });
 }
 
 double PairGeometry::vertical_gap(int a, int b) const { return shape(a).box.min().z() - shape(b).box.max().z(); }
@@ -67,7 +84,7 @@ double PairGeometry::centroid_distance(int a, int b) const { return (shape(a).ce
 std::string PairGeometry::answers() const {
   std::vector<Entry> entries;
   entries.reserve(known_.size());
-  for (const auto& [key, value] : known_) entries.push_back({key.a, key.b, key.reach, value});
+  for (const auto& [key, range] : known_) entries.push_back({key.a, key.b, key.reach, range.low, range.high});
   std::sort(entries.begin(), entries.end(),
             [](const Entry& e, const Entry& f) { return std::tie(e.a, e.b, e.reach) < std::tie(f.a, f.b, f.reach); });
   return {reinterpret_cast<const char*>(entries.data()), entries.size() * sizeof(Entry)};
@@ -78,10 +95,9 @@ void PairGeometry::remember(std::string_view answers) {
   for (; answers.size() >= sizeof(Entry); answers.remove_prefix(sizeof(Entry))) {
     Entry entry;
     std::memcpy(&entry, answers.data(), sizeof entry);
-    const bool sane = entry.a >= 0 && entry.b >= 0 && entry.a < size() && entry.b < size() && entry.value >= 0;
-    if (sane) known_.try_emplace(Key{entry.a, entry.b, entry.reach}, entry.value);
+    const bool sane = entry.a >= 0 && entry.b >= 0 && entry.a < size() && entry.b < size() && entry.low >= 0 && entry.low <= entry.high;
+    if (sane) known_.try_emplace(Key{entry.a, entry.b, entry.reach}, Range{entry.low, entry.high});
   }
-  remembered_ = known_.size();
 }
 
 bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,9 +25,9 @@ class PairGeometry {
   /// Degrees between the two planes, 0 (parallel) to 90; the side a normal points to does not matter.
   [[nodiscard]] double angle(int a, int b) const;
   /// Metres, smallest distance of the hulls; see hull_gap.
-  [[nodiscard]] double gap(int a, int b);
+  [[nodiscard]] double gap(int a, int b, const Limits& limits = {});
   /// See footprint_share.
-  [[nodiscard]] double footprint_overlap(int a, int b, double reach);
+  [[nodiscard]] double footprint_overlap(int a, int b, double reach, const Limits& limits = {});
   /// Metres from the top of b up to the lowest point of a; negative when b reaches above a's lower edge.
   [[nodiscard]] double vertical_gap(int a, int b) const;
   /// Metres from a's centroid to the endless plane of b, ≥ 0.
@@ -40,8 +41,8 @@ class PairGeometry {
   [[nodiscard]] std::string answers() const;
   /// Takes such bytes over; what cannot be read is left out.
   void remember(std::string_view answers);
-  /// Whether there are more answers than were remembered.
-  [[nodiscard]] bool has_news() const { return known_.size() > remembered_; }
+  /// Whether more is known than was remembered.
+  [[nodiscard]] bool has_news() const { return has_news_; }
 
  private:
   struct Key {
@@ -52,10 +53,17 @@ class PairGeometry {
   struct Hash {
     std::size_t operator()(const Key& key) const;
   };
+  /// Where an answer lies; it is exact where the two are the same.
+  struct Range {
+    double low = 0, high = std::numeric_limits<double>::infinity();
+  };
+  template <typename Compute>
+  double known_or(const Key& key, const Limits& limits, Compute compute);
+
   const std::vector<perception::Plane>* planes_;
   mutable std::vector<std::unique_ptr<PlaneShape>> shapes_;
-  std::unordered_map<Key, double, Hash> known_;  // its own order never shows
-  std::size_t remembered_ = 0;
+  std::unordered_map<Key, Range, Hash> known_;  // its own order never shows
+  bool has_news_ = false;
 };
 
 /// Boxes around the planes' outlines.

@@ -62,12 +62,17 @@ double squared_distance(const Edge3& e, const Edge3& f) {
 
 /// Least squared distance from the edges of `a` to the inside of `b`, if below `best`.
 double edges_to_inside(const PlaneShape& a, const PlaneShape& b, double best) {
-  for (const Edge3& edge : a.edges) {
-    if (squared_distance(edge.box, b.box) >= best) continue;
-    const double from = b.signed_distance(edge.from), to = b.signed_distance(edge.to);
-    if ((from > 0) != (to > 0) && b.covers(edge.from + (edge.to - edge.from) * (from / (from - to)))) return 0;
-    // The edge's end is some other edge's start: one end of each is enough.
-    if (from * from < best && b.covers(edge.from)) best = from * from;
+  for (const EdgeBlock& block : a.blocks) {
+    if (squared_distance(block.box, b.box) >= best) continue;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Edge3& edge = a.edges[i];
+      const double from = b.signed_distance(edge.from), to = b.signed_distance(edge.to);
+      const bool crosses = (from > 0) != (to > 0), near = from * from < best;
+      if ((!crosses && !near) || squared_distance(edge.box, b.box) >= best) continue;
+      if (crosses && b.covers(edge.from + (edge.to - edge.from) * (from / (from - to)))) return 0;
+      // The edge's end is some other edge's start: one end of each is enough.
+      if (near && b.covers(edge.from)) best = from * from;
+    }
   }
   return best;
 }
@@ -126,43 +131,58 @@ bool PlaneShape::covers(const Eigen::Vector3d& point) const {
   return in_plane.contains({u.dot(point - centroid), v.dot(point - centroid)});
 }
 
-double hull_gap(const PlaneShape& a, const PlaneShape& b) {
+double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) {
+  // As squares, with room for rounding: what is found to lie outside is surely told as the limit.
+  const double enough = limits.low * limits.low * (1 - 1e-12), most = limits.high * limits.high * (1 + 1e-12);
+  if (squared_distance(a.box, b.box) >= most) return limits.high;
   struct BlockPair {
     double apart;
     const EdgeBlock *p, *q;
   };
+  double best = most;
   std::vector<BlockPair> pairs;
   pairs.reserve(a.blocks.size() * b.blocks.size());
   for (const EdgeBlock& p : a.blocks) {
-    for (const EdgeBlock& q : b.blocks) pairs.push_back({squared_distance(p.box, q.box), &p, &q});
+    if (squared_distance(p.box, b.box) >= best) continue;
+    for (const EdgeBlock& q : b.blocks) {
+      const double apart = squared_distance(p.box, q.box);
+      if (apart < best) pairs.push_back({apart, &p, &q});
+    }
   }
   const auto nearer = [](const BlockPair& x, const BlockPair& y) { return x.apart < y.apart; };
-  double best = std::numeric_limits<double>::infinity();
+  std::vector<const Edge3*> near;
   const auto look = [&](const BlockPair& pair) {
+    near.clear();
+    for (std::size_t j = pair.q->begin; j < pair.q->end; ++j) {
+      if (squared_distance(b.edges[j].box, pair.p->box) < best) near.push_back(&b.edges[j]);
+    }
     for (std::size_t i = pair.p->begin; i < pair.p->end; ++i) {
-      if (squared_distance(a.edges[i].box, pair.q->box) >= best) continue;
-      for (std::size_t j = pair.q->begin; j < pair.q->end; ++j) {
-        if (squared_distance(a.edges[i].box, b.edges[j].box) < best) best = std::min(best, squared_distance(a.edges[i], b.edges[j]));
+      const Edge3& e = a.edges[i];
+      if (squared_distance(e.box, pair.q->box) >= best) continue;
+      for (const Edge3* f : near) {
+        if (squared_distance(e.box, f->box) < best) best = std::min(best, squared_distance(e, *f));
       }
     }
   };
   // After the nearest two blocks hardly any others are left, so that it does not pay to sort them all.
-  const auto nearest = std::min_element(pairs.begin(), pairs.end(), nearer);
-  look(*nearest);
-  nearest->apart = std::numeric_limits<double>::infinity();
-  std::erase_if(pairs, [&](const BlockPair& pair) { return pair.apart >= best; });
-  std::sort(pairs.begin(), pairs.end(), nearer);
-  for (const BlockPair& pair : pairs) {
-    if (pair.apart >= best) break;
-    look(pair);
+  if (!pairs.empty()) {
+    const auto nearest = std::min_element(pairs.begin(), pairs.end(), nearer);
+    look(*nearest);
+    nearest->apart = std::numeric_limits<double>::infinity();
+    std::erase_if(pairs, [&](const BlockPair& pair) { return pair.apart >= best; });
+    std::sort(pairs.begin(), pairs.end(), nearer);
+    for (const BlockPair& pair : pairs) {
+      if (pair.apart >= best || best <= enough) break;
+      look(pair);
+    }
   }
-  best = edges_to_inside(a, b, best);
-  if (best > 0) best = edges_to_inside(b, a, best);
-  return std::sqrt(best);
+  if (best > enough) best = edges_to_inside(a, b, best);
+  if (best > enough) best = edges_to_inside(b, a, best);
+  return limits(std::sqrt(best));
 }
 
-double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach) {
-  return a.steep ? share_within(a.line, b.footprint.region(), reach) : share_within(a.footprint, b.footprint, reach);
+double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach, const Limits& limits) {
+  return limits(a.steep ? share_within(a.line, b.footprint.region(), reach) : share_within(a.footprint, b.footprint, reach, limits));
 }
 
 }  // namespace scenelore::rules

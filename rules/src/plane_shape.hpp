@@ -46,10 +46,10 @@ struct PlaneShape {
 /// Of the outline with its holes; of the centroid where there is none.
 [[nodiscard]] Box3 box_of(const perception::Plane& plane);
 
-/// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact.
-[[nodiscard]] double hull_gap(const PlaneShape& a, const PlaneShape& b);
+/// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact between the limits.
+[[nodiscard]] double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits = {});
 
-/// Share of a's footprint that lies over b's, or within `reach` metres of it; in [0, 1].
-[[nodiscard]] double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach);
+/// Share of a's footprint that lies over b's, or within `reach` metres of it; in [0, 1]. Exact between the limits.
+[[nodiscard]] double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach, const Limits& limits = {});
 
 }  // namespace scenelore::rules

@@ -78,14 +78,21 @@ std::optional<std::pair<double, double>> near_edge(const Vector2d& p, const Vect
   return std::pair{low, high};
 }
 
-/// Where the line runs inside the region or within `reach` of it.
-Intervals within_on_line(const Region& region, const Vector2d& p, const Vector2d& d, double reach) {
+/// Where the line runs inside the region or within `reach` of it, as far as that adds to `whole`.
+Intervals within_on_line(const Region& region, const Vector2d& p, const Vector2d& d, double reach, const Intervals& whole) {
   Intervals out = inside_on_line(region, p, d);
   if (reach <= 0) return out;
+  Lack lack(whole, out);
   for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) {
+    if (lack.none()) return;
     const double side_from = cross(d, from - p), side_to = cross(d, to - p);
     if (std::min(side_from, side_to) > reach || std::max(side_from, side_to) < -reach) return;
-    if (const auto interval = near_edge(p, d, from, to, reach)) out.push_back(*interval);
+    const double along_from = d.dot(from - p), along_to = d.dot(to - p);
+    if (!lack.concerns(std::min(along_from, along_to) - reach, std::max(along_from, along_to) + reach)) return;
+    if (const auto interval = near_edge(p, d, from, to, reach)) {
+      out.push_back(*interval);
+      lack.fill(*interval);
+    }
   });
   merge(out);
   return out;
@@ -146,6 +153,23 @@ double shared_length(std::span<const std::pair<double, double>> a, std::span<con
     a[i].second < b[j].second ? ++i : ++j;
   }
   return length;
+}
+
+Lack::Lack(std::span<const std::pair<double, double>> of, std::span<const std::pair<double, double>> in) {
+  std::size_t j = 0;
+  const auto add = [&](double from, double to) {
+    from_ = std::min(from_, from);
+    to_ = to;
+  };
+  for (const auto& [from, to] : of) {
+    double at = from;
+    for (; j < in.size() && in[j].second <= at; ++j) {}
+    for (std::size_t k = j; k < in.size() && in[k].first < to; ++k) {
+      if (in[k].first > at) add(at, in[k].first);
+      at = std::max(at, in[k].second);
+    }
+    if (at < to) add(at, to);
+  }
 }
 
 void Region::add_ring(std::vector<Eigen::Vector2d> ring) {
@@ -224,15 +248,15 @@ double share_within(const Segment2& a, const Region& b, double reach) {
   const double length = a.length();
   if (length <= 0) {
     if (b.contains(a.from)) return 1;
-    const Intervals near = within_on_line(b, a.from, Vector2d::UnitX(), std::max(reach, 0.0));
+    const Intervals near = within_on_line(b, a.from, Vector2d::UnitX(), std::max(reach, 0.0), {{-1, 1}});
     for (const auto& [low, high] : near) {
       if (low <= 0 && high >= 0) return 1;
     }
     return 0;
   }
   const Vector2d direction = (a.to - a.from) / length;
-  const Intervals near = within_on_line(b, a.from, direction, std::max(reach, 0.0));
   const Intervals whole{{0.0, length}};
+  const Intervals near = within_on_line(b, a.from, direction, std::max(reach, 0.0), whole);
   return std::clamp(shared_length(whole, near) / length, 0.0, 1.0);
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,10 +14,33 @@ namespace scenelore::rules {
 using Box2 = Eigen::AlignedBox2d;
 using Intervals = std::vector<std::pair<double, double>>;  ///< disjoint, rising
 
+/// Where a value matters to the one who asks: what lies outside is told as the limit next to it, which is often plain at once.
+struct Limits {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  [[nodiscard]] double operator()(double value) const { return std::clamp(value, low, high); }
+};
+
 /// Sorts intervals in any order and joins those that overlap or touch; empty ones go.
 void merge(Intervals& intervals);
 /// Length that lies in both.
 [[nodiscard]] double shared_length(std::span<const std::pair<double, double>> a, std::span<const std::pair<double, double>> b);
+
+/// Smallest interval around what some disjoint, rising intervals have and others lack, narrowed down as more of it is made up for.
+class Lack {
+ public:
+  Lack(std::span<const std::pair<double, double>> of, std::span<const std::pair<double, double>> in);
+
+  [[nodiscard]] bool none() const { return !(from_ < to_); }
+  /// Whether something between the two bounds could make up for a part, with room for the rounding of positions in metres.
+  [[nodiscard]] bool concerns(double low, double high) const { return high >= from_ - 1e-9 && low <= to_ + 1e-9; }
+  void fill(const std::pair<double, double>& interval) {
+    if (interval.first <= from_) from_ = std::max(from_, interval.second);
+    if (interval.second >= to_) to_ = std::min(to_, interval.first);
+  }
+
+ private:
+  double from_ = std::numeric_limits<double>::infinity(), to_ = -from_;
+};
 
 /// Rings of corners, outer boundary and holes alike: a point is inside when it is inside an odd number of them.
 /// A ring of one or two corners is a point or a line, which has a boundary but no inside.

@@ -16,18 +16,32 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// The edges that a line along x meets, or comes within a margin of, while it rises.
 class Sweep {
  public:
-  Sweep(const std::vector<Level>& by_low, double margin) : levels_(by_low), margin_(margin) {}
+  /// `by_low` must live as long.
+  Sweep(std::span<const Level* const> by_low, double margin) : levels_(by_low), margin_(margin) {}
 
   /// `y` must not fall from call to call.
   const std::vector<const Level*>& at(double y) {
-    for (; next_ < levels_.size() && levels_[next_].low - margin_ <= y; ++next_) active_.push_back(&levels_[next_]);
-    std::erase_if(active_, [&](const Level* level) { return level->high + margin_ < y; });
+    for (; next_ < levels_.size() && levels_[next_]->low - margin_ <= y; ++next_) {
+      active_.push_back(levels_[next_]);
+      first_end_ = std::min(first_end_, levels_[next_]->high + margin_);
+    }
+    if (first_end_ < y) drop_below(y);
     return active_;
   }
 
  private:
-  const std::vector<Level>& levels_;
+  void drop_below(double y) {
+    first_end_ = kInfinite;
+    std::erase_if(active_, [&](const Level* level) {
+      const double end = level->high + margin_;
+      if (end >= y) first_end_ = std::min(first_end_, end);
+      return end < y;
+    });
+  }
+
+  std::span<const Level* const> levels_;
   double margin_;
+  double first_end_ = kInfinite;  // where the first of the active ones is left behind
   std::size_t next_ = 0;
   std::vector<const Level*> active_;
 };
@@ -80,71 +94,112 @@ double length_of(std::span<const Interval> intervals) {
   return length;
 }
 
-/// How much of `a` lies within `reach` of b, line by line from below.
-class Shares {
- public:
-  Shares(const ScannedRegion& a, const ScannedRegion& b, double reach) : reach_(reach), inside_b_(b.levels(), 0), near_b_(close_, reach) {
-    const Box2 around(a.box().min().array() - reach, a.box().max().array() + reach);
-    for (const Level& edge : b.levels()) {
-      const bool reaches = edge.high >= around.min().y() && edge.low <= around.max().y() &&
-                           std::max(edge.from.x(), edge.to.x()) >= around.min().x() && std::min(edge.from.x(), edge.to.x()) <= around.max().x();
-      if (reaches) close_.push_back(edge);
-    }
-  }
-
-  /// The line at height y, on which a has the intervals `of_a`, standing for a slab of this height.
-  void add(double y, double height, std::span<const Interval> of_a) {
-    if (of_a.empty()) return;
-    const double length = length_of(of_a);
-    all_ += length * height;
-    of_b_.clear();
-    add_inside(inside_b_.at(y), y, crossings_, of_b_);
-    double shared = shared_length(of_a, of_b_);
-    if (shared < length) {  // else b itself has all of it, whatever is near
-      const std::size_t inside = of_b_.size();
-      for (const Level* edge : near_b_.at(y)) {
-        const Interval near = near_level(*edge, y, reach_);
-        if (near.first < near.second) of_b_.push_back(near);
-      }
-      if (of_b_.size() > inside) {
-        merge(of_b_);
-        shared = shared_length(of_a, of_b_);
-      }
-    }
-    shared_ += shared * height;
-  }
-
-  [[nodiscard]] double share() const { return all_ > 0 ? std::clamp(shared_ / all_, 0.0, 1.0) : 0; }
-
- private:
-  double reach_;
-  std::vector<Level> close_;  // edges of b that may be within reach of a
-  Sweep inside_b_, near_b_;
-  std::vector<double> crossings_;
-  Intervals of_b_;
-  double all_ = 0, shared_ = 0;
-};
-
-/// Calls back with height and slab of each of the lines through the slabs between the given heights.
-template <typename Visit>
-void for_each_line(const std::vector<double>& cuts, Visit visit) {
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double height = (cuts[i + 1] - cuts[i]) / ScannedRegion::kLinesPerSlab;
-    for (int k = 0; k < ScannedRegion::kLinesPerSlab; ++k) visit(cuts[i] + (k + 0.5) * height, height);
-  }
+/// The limit that a share lies beyond, if its bounds tell.
+std::optional<double> decide(double least, double most, double area, const Limits& limits) {
+  constexpr double kRounding = 1e-9;
+  if (least >= limits.high * area * (1 + kRounding)) return limits.high;
+  if (most <= limits.low * area * (1 - kRounding)) return limits.low;
+  return std::nullopt;
 }
 
+/// How much of the lines through `a` lies within `reach` of b.
+class Shares {
+ public:
+  Shares(const ScannedRegion& a, const ScannedRegion& b, double reach) : reach_(reach) {
+    const Box2 around(a.box().min().array() - reach, a.box().max().array() + reach);
+    for (const Level& edge : b.levels()) {
+      if (edge.high >= a.box().min().y() && edge.low <= a.box().max().y()) crossed_.push_back(&edge);
+      const bool reaches = edge.high >= around.min().y() && edge.low <= around.max().y() && edge.right >= around.min().x() && edge.left <= around.max().x();
+      if (reaches) close_.push_back(&edge);
+    }
+  }
+
+  /// Ends when the limits tell the answer.
+  [[nodiscard]] double of(const CutLines& cut, const Slabs& slabs, const SharedSlabs& plain, const Limits& limits) {
+    if (cut.area <= 0) return 0;
+    Sweep inside_b(crossed_, 0), near_b(close_, reach_);
+    double shared = 0;
+    std::size_t slab = 0;
+    for (const CutLines::Line& line : cut.lines) {
+      if (slab + 1 < slabs.all().size() && line.y > slabs.all()[slab].high) {
+        ++slab;
+        if (const auto decided = decide(shared + plain.least[slab], shared + plain.most[slab], cut.area, limits)) return *decided;
+      }
+      if (line.begin == line.end || plain.part[slab] == SharedSlabs::Part::none) continue;
+      const bool all = plain.part[slab] == SharedSlabs::Part::all;
+      shared += (all ? line.length : shared_on(line, cut.of(line), inside_b.at(line.y), near_b)) * line.height;
+    }
+    return std::clamp(shared / cut.area, 0.0, 1.0);
+  }
+
+ private:
+  /// Length on the line that a has and b has or is near to.
+  double shared_on(const CutLines::Line& line, std::span<const Interval> of_a, const std::vector<const Level*>& crossed, Sweep& near_b) {
+    of_b_.clear();
+    add_inside(crossed, line.y, crossings_, of_b_);
+    const double shared = shared_length(of_a, of_b_);
+    if (shared >= line.length) return shared;  // b itself has all of it, whatever is near
+    const std::size_t inside = of_b_.size();
+    const bool all = add_near(line, of_a, near_b.at(line.y));
+    if (all) return line.length;
+    if (of_b_.size() == inside) return shared;
+    merge(of_b_);
+    return shared_length(of_a, of_b_);
+  }
+
+  /// Adds to what b has the intervals near its edges, but for those that cannot matter: only where a goes on beyond b does it matter how
+  /// far from b. Returns whether they make up for all that b lacks.
+  bool add_near(const CutLines::Line& line, std::span<const Interval> of_a, const std::vector<const Level*>& edges) {
+    Lack lack(of_a, of_b_);
+    const bool touching = std::adjacent_find(of_b_.begin(), of_b_.end(), [](const Interval& i, const Interval& j) { return i.second >= j.first; }) != of_b_.end();
+    const bool a_matter_of_rounding = lack.none() || touching;  // which all intervals together settle
+    for (const Level* edge : edges) {
+      if (!a_matter_of_rounding && !lack.concerns(edge->left - reach_, edge->right + reach_)) continue;
+      const Interval near = near_level(*edge, line.y, reach_);
+      if (!(near.first < near.second)) continue;
+      of_b_.push_back(near);
+      lack.fill(near);
+      if (lack.none() && !a_matter_of_rounding) return true;
+    }
+    return false;
+  }
+
+  double reach_;
+  std::vector<const Level*> crossed_, close_;  // edges of b beside a; that may be within reach of it
+  std::vector<double> crossings_;
+  Intervals of_b_;
+};
+
 std::vector<double> even_slabs(const Box2& box) {
-  const double low = box.min().y(), high = box.max().y();
   std::vector<double> cuts;
-  for (int i = 0; i <= ScannedRegion::kSlabs; ++i) cuts.push_back(low + (high - low) * i / ScannedRegion::kSlabs);
+  for (int i = 0; i <= Slabs::kCount; ++i) cuts.push_back(Slabs::bound(box, i));
   return cuts;
+}
+
+/// The lines through the slabs between the given heights.
+CutLines cut_lines(const std::vector<const Level*>& edges, const std::vector<double>& heights) {
+  CutLines out;
+  out.lines.reserve(heights.size() * ScannedRegion::kLinesPerSlab);
+  Sweep sweep(edges, 0);
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    const double height = (heights[i + 1] - heights[i]) / ScannedRegion::kLinesPerSlab;
+    for (int k = 0; k < ScannedRegion::kLinesPerSlab; ++k) {
+      const double y = heights[i] + (k + 0.5) * height;
+      const std::size_t begin = out.inside.size();
+      add_inside(sweep.at(y), y, crossings, out.inside);
+      const double length = length_of(std::span(out.inside).subspan(begin));
+      out.lines.push_back({y, height, length, begin, out.inside.size()});
+      out.area += length * height;
+    }
+  }
+  return out;
 }
 
 /// Heights at which the share of a line may jump: corners, and b's corners moved by the reach. Nothing where there are so many that
 /// the jumps are small and even slabs are enough.
 std::vector<double> jumps(const ScannedRegion& a, const ScannedRegion& b, double reach) {
-  constexpr std::size_t kMost = 4 * ScannedRegion::kSlabs;
+  constexpr std::size_t kMost = 4 * Slabs::kCount;
   const double low = a.box().min().y(), high = a.box().max().y();
   std::vector<double> heights;
   if (a.levels().size() > kMost) return heights;
@@ -167,7 +222,8 @@ ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(
       const Eigen::Vector2d &from = ring[i], &to = ring[i + 1 == ring.size() ? 0 : i + 1], d = to - from;
       const double length = d.norm();
       const Eigen::Vector2d along = length > 0 ? Eigen::Vector2d(d / length) : Eigen::Vector2d(0, 0);
-      levels_.push_back({from, to, std::min(from.y(), to.y()), std::max(from.y(), to.y()), along, length});
+      levels_.push_back({from, to, std::min(from.y(), to.y()), std::max(from.y(), to.y()), std::min(from.x(), to.x()),
+                         std::max(from.x(), to.x()), along, length});
     }
   }
   std::stable_sort(levels_.begin(), levels_.end(), [](const Level& e, const Level& f) { return e.low < f.low; });
@@ -176,29 +232,33 @@ ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(
 bool ScannedRegion::boundary_enters(const Box2& box) const {
   for (const Level& edge : levels_) {
     if (edge.low > box.max().y()) return false;
-    if (edge.high >= box.min().y() && std::max(edge.from.x(), edge.to.x()) >= box.min().x() &&
-        std::min(edge.from.x(), edge.to.x()) <= box.max().x()) {
-      return true;
-    }
+    if (edge.high >= box.min().y() && edge.right >= box.min().x() && edge.left <= box.max().x()) return true;
   }
   return false;
 }
 
-std::span<const Interval> ScannedRegion::even_line(int i) const {
-  if (even_ends_.empty()) {
-    Sweep sweep(levels_, 0);
-    std::vector<double> crossings;
-    for_each_line(even_slabs(box()), [&](double y, double) {
-      add_inside(sweep.at(y), y, crossings, even_);
-      even_ends_.push_back(even_.size());
-    });
-  }
-  const auto line = static_cast<std::size_t>(i);
-  const std::size_t begin = line == 0 ? 0 : even_ends_[line - 1];
-  return std::span<const Interval>(even_).subspan(begin, even_ends_[line] - begin);
+namespace {
+
+std::vector<const Level*> pointers_to(const std::vector<Level>& levels) {
+  std::vector<const Level*> out;
+  out.reserve(levels.size());
+  for (const Level& level : levels) out.push_back(&level);
+  return out;
 }
 
-double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach) {
+}  // namespace
+
+const CutLines& ScannedRegion::even_lines() const {
+  if (even_.lines.empty()) even_ = cut_lines(pointers_to(levels_), even_slabs(box()));
+  return even_;
+}
+
+const Slabs& ScannedRegion::slabs() const {
+  if (!slabs_) slabs_.emplace(region_);
+  return *slabs_;
+}
+
+double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach, const Limits& limits) {
   if (a.box().isEmpty() || b.box().isEmpty()) return 0;
   const Box2 grown(b.box().min().array() - reach, b.box().max().array() + reach);
   if (!a.box().intersects(grown)) return 0;
@@ -208,26 +268,17 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   }
   if (a.area() <= 0) return 0;
   if (reach <= 0) return std::clamp(shared_area(a.region(), b.region()) / a.area(), 0.0, 1.0);
-  Shares shares(a, b, reach);
   std::vector<double> cuts = jumps(a, b, reach);
+  const SharedSlabs plain = shared_slabs(a.slabs(), b.slabs(), reach);
+  // Lines cut at each corner of a have its very area.
+  if (const auto decided = decide(plain.least[0], plain.most[0], cuts.empty() ? a.even_lines().area : a.area(), limits)) return *decided;
+  Shares shares(a, b, reach);
+  if (cuts.empty()) return shares.of(a.even_lines(), a.slabs(), plain, limits);
   const std::vector<double> even = even_slabs(a.box());
-  if (cuts.empty()) {
-    int line = 0;
-    for_each_line(even, [&](double y, double height) { shares.add(y, height, a.even_line(line++)); });
-    return shares.share();
-  }
   cuts.insert(cuts.end(), even.begin(), even.end());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  Sweep sweep(a.levels(), 0);
-  std::vector<double> crossings;
-  Intervals of_a;
-  for_each_line(cuts, [&](double y, double height) {
-    of_a.clear();
-    add_inside(sweep.at(y), y, crossings, of_a);
-    shares.add(y, height, of_a);
-  });
-  return shares.share();
+  return shares.of(cut_lines(pointers_to(a.levels()), cuts), a.slabs(), plain, limits);
 }
 
 double share_within(const Region& a, const Region& b, double reach) { return share_within(ScannedRegion(a), ScannedRegion(b), reach); }

@@ -1,12 +1,29 @@
 // A region prepared to be cut by many lines along x, as the shared part of two areas needs it for each pair of planes.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "region.hpp"
+#include "slabs.hpp"
 
 namespace scenelore::rules {
+
+/// Lines along x through a region, from below, each standing for a slab of some height.
+struct CutLines {
+  struct Line {
+    double y, height;       ///< of the line; of its slab
+    double length;          ///< inside the region
+    std::size_t begin, end; ///< in `inside`
+  };
+  std::vector<Line> lines;
+  Intervals inside;
+  double area = 0;          ///< of lengths times heights
+
+  [[nodiscard]] std::span<const std::pair<double, double>> of(const Line& line) const {
+    return std::span(inside).subspan(line.begin, line.end - line.begin);
+  }
+};
 
 class ScannedRegion {
  public:
@@ -17,6 +34,7 @@ class ScannedRegion {
   struct Level {
     Eigen::Vector2d from, to;
     double low, high;     ///< of from.y and to.y
+    double left, right;   ///< of from.x and to.x
     Eigen::Vector2d along;  ///< unit vector from → to; zero for a point
     double length;
   };
@@ -28,20 +46,20 @@ class ScannedRegion {
   /// Whether any edge's box meets the given one.
   [[nodiscard]] bool boundary_enters(const Box2& box) const;
 
-  /// The region's height in even slabs, each with a few lines through it: where line `i`, counted from below, runs inside.
-  /// Computed when it is first asked for; not safe for concurrent use.
-  static constexpr int kSlabs = 16, kLinesPerSlab = 4;
-  [[nodiscard]] std::span<const std::pair<double, double>> even_line(int i) const;
+  static constexpr int kLinesPerSlab = 4;
+  /// Both are computed when first asked for; not safe for concurrent use.
+  [[nodiscard]] const Slabs& slabs() const;
+  [[nodiscard]] const CutLines& even_lines() const;  ///< a few through each slab
 
  private:
   Region region_;
   double area_ = 0;
   std::vector<Level> levels_;
-  mutable Intervals even_;
-  mutable std::vector<std::size_t> even_ends_;  // of each line in even_
+  mutable CutLines even_;
+  mutable std::optional<Slabs> slabs_;
 };
 
 /// As share_within of regions, for regions that are asked about again.
-[[nodiscard]] double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach);
+[[nodiscard]] double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach, const Limits& limits = {});
 
 }  // namespace scenelore::rules

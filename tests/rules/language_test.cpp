@@ -57,8 +57,8 @@ TEST(RuleLanguage, IsWhatTheRepositorysOwnLuacheckrcSays) {
 TEST(RuleLanguage, NamesEachFieldAndFunctionForEditors) {
   const std::string meta = language_meta();
   EXPECT_EQ(meta.rfind("---@meta\n", 0), 0U);
-  for (const char* part : {"---@field tilt_deg number degrees", "---@return number\nfunction geometry.gap(a, b) end",
-                           "function geometry.footprint_overlap(a, b, reach) end", "function falloff(value, full, none) end",
+  for (const char* part : {"---@field tilt_deg number degrees", "---@param high number?\n---@return number\nfunction geometry.gap(a, b, low, high) end",
+                           "function geometry.footprint_overlap(a, b, reach, low, high) end", "function falloff(value, full, none) end",
                            "function expect.holds(a, b) end"}) {
     EXPECT_NE(meta.find(part), meta.npos) << part;
   }

@@ -77,6 +77,40 @@ TEST(PlaneShape, HasTheGapThatSamplesSay) {
   }
 }
 
+TEST(PlaneShape, HasBetweenLimitsTheGapThatItHasWithoutThem) {
+  std::mt19937 random(8);
+  const auto uniform = [&] { return static_cast<double>(random() % 2000) / 1000 - 1; };
+  for (int round = 0; round < 300; ++round) {
+    const auto made = [&] {
+      return shape({.center = {uniform(), uniform(), uniform()}, .normal = {uniform(), uniform(), uniform() + 1.1},
+                    .length = 0.1 + std::abs(uniform()), .width = 0.3, .along = {uniform(), uniform(), 0.2}});
+    };
+    const PlaneShape a = made(), b = made();
+    const double exact = hull_gap(a, b);
+    for (const Limits limits : {Limits{0.3, 1.0}, {0.05, 0.15}, {0, 0.5}, {0.7, 0.7}, {exact, 2}, {0, exact}}) {
+      EXPECT_EQ(hull_gap(a, b, limits), limits(exact)) << round;
+    }
+  }
+}
+
+TEST(PairGeometry, KnowsWhatItFoundOutBetweenOtherLimits) {
+  const std::vector<perception::Plane> planes{make_plane({.center = {0, 0, 0}, .length = 1, .width = 1}),
+                                              make_plane({.center = {0, 0, 0.4}, .length = 1, .width = 1})};
+  PairGeometry g(planes);
+  EXPECT_EQ(g.gap(0, 1, {0.5, 1}), 0.5);
+  EXPECT_EQ(g.gap(1, 0, {0.1, 0.2}), 0.2);
+  EXPECT_NEAR(g.gap(0, 1, {0.3, 1}), 0.4, 1e-12);
+  EXPECT_NEAR(g.gap(0, 1), 0.4, 1e-12);
+  PairGeometry later(planes);
+  later.remember(g.answers());
+  EXPECT_EQ(later.gap(0, 1), g.gap(0, 1));
+  EXPECT_FALSE(later.has_news());
+  EXPECT_EQ(later.footprint_overlap(0, 1, 0.1, {0.2, 0.5}), 0.5);
+  EXPECT_TRUE(later.has_news());
+  EXPECT_EQ(later.footprint_overlap(0, 1, 0.1, {0.7, 0.8}), 0.8);
+  EXPECT_EQ(later.footprint_overlap(0, 1, 0.1), 1);
+}
+
 TEST(PlaneShape, TakesASteepPlaneAsALineOnThePlan) {
   const PlaneShape desk = shape({.center = {0, 0, 0.7}, .length = 2, .width = 1});
   const PlaneShape screen = shape({.center = {0.9, 0, 1}, .normal = {0, 1, 0.05}, .length = 0.6, .width = 0.4});

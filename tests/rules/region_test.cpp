@@ -121,6 +121,34 @@ TEST(Region, SharesAreaWithinReachAsCountedPointsSay) {
   }
 }
 
+TEST(Region, SharesBetweenLimitsWhatItSharesWithoutThem) {
+  std::mt19937 random(11);
+  const auto uniform = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  int limited = 0;
+  for (int round = 0; round < 300; ++round) {
+    const int corners = round % 3 == 0 ? 5 : round % 3 == 1 ? 17 : 90;
+    const ScannedRegion a(blob(random, {0, 0}, round % 2 == 0, corners));
+    const ScannedRegion b(blob(random, {3 * uniform(), 2 * uniform()}, round % 4 < 2, round % 5 == 0 ? 4 : corners));
+    const double reach = 0.02 + 0.4 * uniform();
+    const double one = uniform(), other = uniform();
+    const Limits limits{std::min(one, other), std::max(one, other)};
+    const double exact = share_within(a, b, reach), told = share_within(a, b, reach, limits);
+    EXPECT_EQ(limits(told), limits(exact)) << round;
+    limited += exact <= limits.low || exact >= limits.high;
+  }
+  EXPECT_GT(limited, 100);
+}
+
+TEST(Region, SharesTheLinesOfTheClosedFormWhereB_CoversMostOfA) {
+  // Slabs of a that are wholly inside b, wholly outside, and cut by b's slanted edge.
+  const ScannedRegion a(rectangle(-1, 0, 1, 8));
+  Region wedge;
+  wedge.add_ring({{-5, -1}, {5, -1}, {5, 5}, {-5, 3}});
+  const ScannedRegion b(wedge);
+  EXPECT_NEAR(share_within(a, b, 1e-9), 0.5, 1e-6);
+  EXPECT_NEAR(share_within(a, b, 1), (4 + std::sqrt(1 + 0.04)) / 8, 1e-3) << "parallel to the edge, one beyond it";
+}
+
 TEST(Region, SharesLengthAsManyPointsOnALineSay) {
   std::mt19937 random(5);
   for (int round = 0; round < 40; ++round) {

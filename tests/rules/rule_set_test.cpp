@@ -350,7 +350,8 @@ TEST(Relate, TakesGeometryFromTheRunBeforeOnlyForTheSamePlanes) {
   Scene scene = building(1);
   const std::vector<std::string> names{"above", "near"};
   const Facts fresh = RuleSet::load().relate(scene, names);
-  ASSERT_GT(fresh.geometry.answers.size(), 24U);
+  constexpr std::size_t kEntry = 32;  // planes a and b, reach, the bounds of the answer
+  ASSERT_GT(fresh.geometry.answers.size(), kEntry);
   EXPECT_EQ(fresh.geometry.answers, RuleSet::load().relate(scene, names).geometry.answers);
   const auto degrees = [](const Facts& facts) {
     std::vector<std::tuple<std::string, kb::PlaneId, kb::PlaneId, double>> out;
@@ -359,11 +360,11 @@ TEST(Relate, TakesGeometryFromTheRunBeforeOnlyForTheSamePlanes) {
   };
   // Answers that say "far apart, nothing over anything": they show where they are used.
   kb::StoredGeometry wrong = fresh.geometry;
-  for (std::size_t entry = 0; entry < wrong.answers.size(); entry += 24) {
+  for (std::size_t entry = 0; entry < wrong.answers.size(); entry += kEntry) {
     double reach = 0;
     std::memcpy(&reach, wrong.answers.data() + entry + 8, 8);
     const double value = reach < 0 ? 50 : 0;
-    std::memcpy(wrong.answers.data() + entry + 16, &value, 8);
+    for (const std::size_t bound : {entry + 16, entry + 24}) std::memcpy(wrong.answers.data() + bound, &value, 8);
   }
   EXPECT_EQ(degrees(RuleSet::load().relate(scene, names, {{}, fresh.geometry})), degrees(fresh));
   EXPECT_TRUE(RuleSet::load().relate(scene, names, {{}, wrong}).facts.empty());

@@ -180,5 +180,14 @@ TEST(SandboxedFile, HasTheWholeBudgetForEachOfManyPairs) {
   EXPECT_EQ(degrees, std::vector<double>(pairs.size(), 1));
 }
 
+TEST(SandboxedFile, TellsWhatIsWrongWithLimits) {
+  EXPECT_EQ(outcome_of("return geometry.gap(a, b, 2, 0.5) == 1 and geometry.gap(a, b, 0.1, 0.5) == 0.5"), "1.000000") << "in any order";
+  EXPECT_EQ(outcome_of("return geometry.gap(a, b, 2)"),
+            "attack.lua:2: geometry.gap: arguments 3 and 4 must be the two limits between which the answer matters (relation 'attack', "
+            "planes 1 and 2)");
+  EXPECT_EQ(outcome_of("return geometry.footprint_overlap(a, b, 0, 'x', 1)").substr(0, 85),
+            "attack.lua:2: geometry.footprint_overlap: arguments 4 and 5 must be the two limits be");
+}
+
 }  // namespace
 }  // namespace scenelore::rules
