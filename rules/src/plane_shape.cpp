@@ -46,7 +46,8 @@ double squared_to_segment(const Vector3d& p, const Vector3d& from, const Vector3
   return (p - from - t * d).squaredNorm();
 }
 
-/// Squared distance of two segments: inside both where the common perpendicular falls there, else at one of four ends.
+/// Least squared distance of two edges but for their second ends, which are the first ends of other edges: inside both where the common
+/// perpendicular falls there, else at one of the ends.
 double squared_distance(const Edge3& e, const Edge3& f) {
   const Vector3d d = e.to - e.from, g = f.to - f.from, r = f.from - e.from;
   const double dd = d.squaredNorm(), gg = g.squaredNorm(), dg = d.dot(g);
@@ -56,8 +57,15 @@ double squared_distance(const Edge3& e, const Edge3& f) {
     const double t = (r.dot(d) * dg - r.dot(g) * dd) / determinant;
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1) return (r + t * g - s * d).squaredNorm();
   }
-  return std::min({squared_to_segment(e.from, f.from, f.to), squared_to_segment(e.to, f.from, f.to),
-                   squared_to_segment(f.from, e.from, e.to), squared_to_segment(f.to, e.from, e.to)});
+  return std::min(squared_to_segment(e.from, f.from, f.to), squared_to_segment(f.from, e.from, e.to));
+}
+
+double least_between_corners(const PlaneShape& a, const EdgeBlock& p, const PlaneShape& b, const EdgeBlock& q) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = p.begin; i < p.end; ++i) {
+    for (std::size_t j = q.begin; j < q.end; ++j) best = std::min(best, (a.edges[i].from - b.edges[j].from).squaredNorm());
+  }
+  return best;
 }
 
 /// Least squared distance from the edges of `a` to the inside of `b`, if below `best`.
@@ -98,7 +106,7 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
     add(plane.hull.outer);
     for (const perception::Ring& hole : plane.hull.holes) add(hole);
   }
-  constexpr std::size_t kBlock = 12;
+  constexpr std::size_t kBlock = 8;
   for (std::size_t i = 0; i < edges.size(); i += kBlock) {
     EdgeBlock block{i, std::min(i + kBlock, edges.size()), {}};
     for (std::size_t k = i; k < block.end; ++k) block.box.extend(edges[k].box);
@@ -164,10 +172,12 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) 
       }
     }
   };
-  // After the nearest two blocks hardly any others are left, so that it does not pay to sort them all.
+  // After the nearest two blocks hardly any others are left, so that it does not pay to sort them all; and after their corners, hardly
+  // any of their edges.
   if (!pairs.empty()) {
     const auto nearest = std::min_element(pairs.begin(), pairs.end(), nearer);
-    look(*nearest);
+    best = std::min(best, least_between_corners(a, *nearest->p, b, *nearest->q) * (1 + 1e-9));
+    if (best > enough) look(*nearest);
     nearest->apart = std::numeric_limits<double>::infinity();
     std::erase_if(pairs, [&](const BlockPair& pair) { return pair.apart >= best; });
     std::sort(pairs.begin(), pairs.end(), nearer);
