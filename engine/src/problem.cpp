@@ -122,9 +122,14 @@ void Problem::reserve(std::size_t constraints) {
   conflicts_.reserve(constraints);
 }
 
+std::uint32_t Problem::call_of_next(const std::string& name, std::int64_t reference) {
+  const bool same = !calls_.empty() && calls_.back().reference == reference && same_text(calls_.back().name, name);
+  if (!same) calls_.push_back({name, reference});
+  return static_cast<std::uint32_t>(calls_.size() - 1);
+}
+
 int Problem::add_head(const std::string& name, double weight, std::int64_t reference, Kind kind, std::size_t body) {
-  if (heads_.empty() || !same_text(names_[heads_.back().name], name)) names_.push_back(name);
-  Head head{weight, reference, static_cast<std::uint32_t>(names_.size() - 1)};
+  Head head{weight, call_of_next(name, reference)};
   head.body = static_cast<std::uint32_t>(body) & kMostBodies;
   head.kind = kind;
   heads_.push_back(head);
@@ -159,18 +164,33 @@ int Problem::add(std::string name, double weight, std::int64_t reference,
 }
 
 int Problem::add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict) {
+  const WeightedConflict one{weight, conflict};
+  add(name, reference, std::span(&one, 1));
+  return static_cast<int>(heads_.size()) - 1;
+}
+
+void Problem::add(const std::string& name, std::int64_t reference, std::span<const WeightedConflict> conflicts) {
+  if (conflicts.empty()) return;
   const Variable* const variables = variables_.data();
   const std::size_t count = variables_.size();
   const auto exists = [&](const Literal& l) {
     return static_cast<std::size_t>(l.variable) < count && static_cast<std::size_t>(l.label) < variables[l.variable].costs.size();
   };
-  if (!(weight > 0 && exists(conflict.a) && exists(conflict.b))) {
+  for (const auto& [weight, conflict] : conflicts) {
+    if (weight > 0 && exists(conflict.a) && exists(conflict.b)) continue;
     const Inspector inspector(*this, name);
     inspector.weight(weight);
     inspector.body(conflict, weight);
   }
-  conflicts_.push_back(conflict);
-  return add_head(name, weight, reference, Kind::conflict, conflicts_.size() - 1);
+  Head head{0, call_of_next(name, reference)};
+  head.kind = Kind::conflict;
+  for (const auto& [weight, conflict] : conflicts) {
+    head.weight = weight;
+    head.body = static_cast<std::uint32_t>(conflicts_.size()) & kMostBodies;
+    heads_.push_back(head);
+    conflicts_.push_back(conflict);
+  }
+  revision_ += conflicts.size();
 }
 
 }  // namespace scenelore::engine

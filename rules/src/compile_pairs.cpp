@@ -49,7 +49,7 @@ void Compiler::add_pairs(int index, int subject, int other) {
         add_pair(pairs, a, b, pair_cost(row, a, d) + (both ? pair_cost(row, b, degree(b, a)) : 0));
       }
     }
-    return;
+    return add_conflicts(index);
   }
   FactIndex::Rising rising(facts, planes());
   const auto take = [&](int a, int b) {
@@ -61,6 +61,13 @@ void Compiler::add_pairs(int index, int subject, int other) {
     take(a, b);
     if (!both) take(b, a);
   }
+  add_conflicts(index);
+}
+
+/// Those of the row, all at once.
+void Compiler::add_conflicts(int row) {
+  out.problem.add(short_name_, rows(row).id, conflicts_);
+  conflicts_.clear();
 }
 
 /// A class at every plane; label −1 where truth rules it out.
@@ -84,7 +91,7 @@ void Compiler::add_pair(const Pairs& pairs, int a, int b, double cost) {
   if (!pairs.others.empty()) {
     const Literal of_b = pairs.others[at(b)];
     if (of_b.label < 0) return;
-    out.problem.add(short_name_, cost, rows(pairs.row).id, engine::Conflict{of_a, of_b});
+    conflicts_.push_back({cost, {of_a, of_b}});
     out.origins.push_back({.row = pairs.row, .a = a, .b = b});
     return;
   }

@@ -76,6 +76,7 @@ class Compiler {
     std::vector<Literal> subjects, others;  // by plane
   };
   void add_pair(const Pairs& pairs, int a, int b, double cost);
+  void add_conflicts(int row);
   [[nodiscard]] std::vector<Literal> literals_of(int object_class) const;
   void add_count(int row, int subject, int other);
   void add_scene_count(int row, int subject);
@@ -105,6 +106,7 @@ class Compiler {
   std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
   std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs_;  // by reach, made when a row needs them
   std::map<std::tuple<int, int, int, int>, int> tables_;
+  std::vector<engine::WeightedConflict> conflicts_;        // of the row at work
   std::map<kb::PlaneId, int> index_of_id_;                 // made when a Lua constraint needs it
   std::map<std::vector<Literal>, int> conjunctions_;       // by members: their variable
 };

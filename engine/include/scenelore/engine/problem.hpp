@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,6 +26,11 @@ struct Literal {
 /// Not both literals.
 struct Conflict {
   Literal a, b;
+};
+
+struct WeightedConflict {
+  double weight = kHard;
+  Conflict conflict;
 };
 
 /// One way to satisfy a requirement, at a cost in [0, weight]; 0 = fully.
@@ -143,8 +149,9 @@ class Problem {
   /// Returns the constraint's index, which Violation and Explanation use.
   int add(std::string name, double weight, std::int64_t reference,
           std::variant<Conflict, Requirement, Cardinality, PairTable> body);
-  /// The same for conflicts, of which a problem may have very many.
+  /// The same for conflicts, of which a problem may have very many; all or, when one is an error, none.
   int add(const std::string& name, double weight, std::int64_t reference, const Conflict& conflict);
+  void add(const std::string& name, std::int64_t reference, std::span<const WeightedConflict> conflicts);
 
   const std::vector<Variable>& variables() const { return variables_; }
   /// By index; a range of ConstraintView.
@@ -166,20 +173,24 @@ class Problem {
     std::vector<double> costs;
   };
   /// A scan has tens of thousands of conflicts, and whoever goes over them waits for memory: kept apart from the larger kinds, and
-  /// with their names by number, they take 40 bytes each.
+  /// with what they are called by number, they take 32 bytes each.
   enum class Kind : std::uint8_t { conflict, requirement, cardinality, pair_table };
   struct Head {
     double weight;
-    std::int64_t reference;
-    std::uint32_t name;  ///< in names_
+    std::uint32_t call;  ///< in calls_
     std::uint32_t body : 30;  ///< in the list of its kind
     Kind kind : 2;
   };
+  struct Call {
+    std::string name;
+    std::int64_t reference;
+  };
+  std::uint32_t call_of_next(const std::string& name, std::int64_t reference);
   int add_head(const std::string& name, double weight, std::int64_t reference, Kind kind, std::size_t body);
 
   std::vector<Variable> variables_;
   std::vector<Head> heads_;
-  std::vector<std::string> names_;  ///< neighbours of one name share it
+  std::vector<Call> calls_;  ///< what constraints are called; neighbours that are called the same share it
   std::vector<Conflict> conflicts_;
   std::vector<Requirement> requirements_;
   std::vector<Cardinality> cardinalities_;
@@ -191,14 +202,14 @@ class Problem {
 
 inline ConstraintView Problem::constraint(std::size_t index) const {
   const Head& head = heads_[index];
-  const std::string& name = names_[head.name];
+  const auto& [name, reference] = calls_[head.call];
   switch (head.kind) {
-    case Kind::requirement: return {name, head.weight, head.reference, requirements_[head.body]};
-    case Kind::cardinality: return {name, head.weight, head.reference, cardinalities_[head.body]};
-    case Kind::pair_table: return {name, head.weight, head.reference, pair_tables_[head.body]};
+    case Kind::requirement: return {name, head.weight, reference, requirements_[head.body]};
+    case Kind::cardinality: return {name, head.weight, reference, cardinalities_[head.body]};
+    case Kind::pair_table: return {name, head.weight, reference, pair_tables_[head.body]};
     case Kind::conflict: break;
   }
-  return {name, head.weight, head.reference, conflicts_[head.body]};
+  return {name, head.weight, reference, conflicts_[head.body]};
 }
 
 inline std::size_t Constraints::size() const { return problem_->heads_.size(); }
