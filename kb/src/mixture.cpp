@@ -43,6 +43,7 @@ Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* cons
     }
   }
   all_rows_ = has_row_.all();
+  blurs_.resize(features.size());
   log_inliers_ = inliers_.log();
   for (Eigen::Index k = 0; k < columns; ++k) {
     numbers_.push_back(kinds[static_cast<std::size_t>(k)].number);
@@ -53,14 +54,30 @@ Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* cons
 }
 
 // Each Gaussian, the wide one of odd values too, seen through normal errors.
+const Mixture::Blur& Mixture::blur_of(Eigen::Index f, double error) const {
+  Blur& blur = blurs_[static_cast<std::size_t>(f)];
+  if (blur.error == error) return blur;
+  const Eigen::Index columns = means_.cols();
+  for (Row* row : {&blur.near, &blur.far, &blur.near_peaks, &blur.far_peaks, &blur.log_peaks}) row->resize(columns);
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    const double sigma = sigma_of(half_precisions_(f, k)), near = std::hypot(sigma, error), far = std::hypot(kTail * sigma, error);
+    blur.near[k] = 2 * near * near;
+    blur.far[k] = 2 * far * far;
+    blur.near_peaks[k] = inliers_(f, k) * sigma / near;
+    blur.far_peaks[k] = outliers_(f, k) * kTail * sigma / far;
+    blur.log_peaks[k] = log_inliers_(f, k) + std::log(sigma / near);
+  }
+  blur.error = error;
+  return blur;
+}
+
 double Mixture::blurred(Eigen::Index f, Eigen::Index k, const MixtureInput& input) const {
-  const double sigma = sigma_of(half_precisions_(f, k)), near = std::hypot(sigma, input.error), far = std::hypot(kTail * sigma, input.error);
+  const Blur& blur = blur_of(f, input.error);
   const double turn = turns_[input.feature], uniform = uniforms_[input.feature];
   const double distance = turn > 0 ? std::remainder(input.scaled - means_(f, k), turn) : input.scaled - means_(f, k);
-  const auto exponent = [distance](double width) { return distance * distance / (2 * width * width); };
-  if (uniform <= 0) return log_inliers_(f, k) + std::log(sigma / near) - exponent(near);
-  return std::log(inliers_(f, k) * sigma / near * std::exp(-exponent(near)) + outliers_(f, k) * kTail * sigma / far * std::exp(-exponent(far)) +
-                  uniform);
+  const double near = distance * distance / blur.near[k];
+  if (uniform <= 0) return blur.log_peaks[k] - near;
+  return std::log(blur.near_peaks[k] * std::exp(-near) + blur.far_peaks[k] * std::exp(-(distance * distance / blur.far[k])) + uniform);
 }
 
 Mixture::Table Mixture::log_terms(std::span<const MixtureInput> inputs) const {

@@ -25,6 +25,7 @@ struct MixtureInput {
   double own = 0;             ///< ln p(x_i|C) by the class's own rows
 };
 
+/// Not safe for concurrent use: see blur_of.
 class Mixture {
  public:
   Mixture() = default;
@@ -55,12 +56,23 @@ class Mixture {
   [[nodiscard]] Row log_summands(std::span<const MixtureInput> inputs, const Table& terms) const;
   [[nodiscard]] double blurred(Eigen::Index feature, Eigen::Index kind, const MixtureInput& input) const;
 
+  /// What a feature's Gaussians look like through errors of one size, by kind.
+  struct Blur {
+    double error = -1;
+    Row near, far;              ///< 2 w², w the width of usual and of odd values
+    Row near_peaks, far_peaks;  ///< factors of the two exponentials
+    Row log_peaks;              ///< logarithm of the former, where there are no odd values
+  };
+  /// Of the planes of a scan most have the same error, so the last one is kept.
+  const Blur& blur_of(Eigen::Index feature, double error) const;
+
   std::vector<int> numbers_;
   Row log_shares_;                                                    // then that of the class's own rows
   Table means_, half_precisions_, inliers_, outliers_, log_inliers_;  // 1 / 2σ², factors of the two exponentials
   Eigen::ArrayXXi has_row_;
   std::vector<double> uniforms_, turns_;                              // a feature; ε u / 2; 0 where the scale is no circle
   bool all_rows_ = true;
+  mutable std::vector<Blur> blurs_;                                   // a feature
 };
 
 }  // namespace scenelore::kb
