@@ -4,6 +4,7 @@
 --   nearest         (word, list of words) -> the word meant, or nil
 --   line_of         (field) -> "file:line: " at which the rule file sets a field, or nil
 --   base            (name) -> the table given to relation{} by the built-in file of that name, or nil
+--   trusted         whether the file comes with the program, so that nothing need be kept from it
 -- Returns environment (the globals of the file) and library (what the host itself calls).
 local host = ...
 
@@ -327,7 +328,8 @@ function environment.relation(t)
     end
     tolerances[key] = value
   end
-  local self = read_only(tolerances, "relation '" .. whole.name .. "'")
+  local guarded = host.trusted and strict or read_only
+  local self = guarded(tolerances, "relation '" .. whole.name .. "'")
   return {
     kind = "relation", declared = whole, name = whole.name, summary = whole.summary, within = whole.within or huge,
     within_plan = whole.within_plan or huge, symmetric = whole.symmetric or false, ask = asker(whole, self),

@@ -10,6 +10,9 @@ namespace scenelore::rules {
 
 namespace {
 
+/// Its address is the key under which a plane's values keep its index; no rule can make such a key.
+constexpr char kIndexKey = 0;
+
 /// The block of a userdata. Only the host makes userdata, so every one is a Handle.
 struct Handle {
   int plane;  ///< −1 = a vector
@@ -88,8 +91,9 @@ void push_kept(RuleHost& host, int& reference, Make make) {
   lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
 }
 
-/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed. `missing_fields` keeps the
-/// metatable of such values, which asks `missing` for names that they lack.
+/// Takes the table of values from the stack and pushes a userdata that shows them and lets none be changed; to a file that is trusted, the
+/// table itself, whose fields are sooner read. `missing_fields` keeps the metatable of such values, which asks `missing` for names that
+/// they lack.
 void push_handle(RuleHost& host, int plane, int& missing_fields, lua_CFunction missing) {
   lua_State* state = host.lua.get();
   push_kept(host, missing_fields, [&] {
@@ -98,6 +102,7 @@ void push_handle(RuleHost& host, int plane, int& missing_fields, lua_CFunction m
     lua_setfield(state, -2, "__index");
   });
   lua_setmetatable(state, -2);
+  if (host.trusted) return;
   *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = {plane};
   lua_createtable(state, 0, 4);
   lua_pushvalue(state, -3);
@@ -125,9 +130,6 @@ void push_normal(RuleHost& host, const Eigen::Vector3d& normal) {
   set_number(state, "z", normal.z());
   push_handle(host, -1, host.missing_fields_of_vectors, guarded<unknown_vector_field>);
 }
-
-/// Its address is the key under which a plane's values keep its index; no rule can make such a key.
-constexpr char kIndexKey = 0;
 
 /// Most rules ask for two or three of the fields, so each is made when it is first asked for. Arguments are the values and the key that
 /// they lack.
@@ -157,9 +159,12 @@ int missing_plane_field(lua_State* state) {
     const std::string word(key);
     throw Error("a plane has no '" + word.substr(0, 64) + "'" + did_you_mean(word, plane_fields(*host.scene)));
   }
-  lua_pushvalue(state, 2);
-  lua_pushvalue(state, -2);
-  lua_rawset(state, 1);
+  const bool others_look = host.trusted && !built_in;  // and it must show what each of them looks at
+  if (!others_look) {
+    lua_pushvalue(state, 2);
+    lua_pushvalue(state, -2);
+    lua_rawset(state, 1);
+  }
   return 1;
 }
 
@@ -237,17 +242,17 @@ std::vector<std::string> plane_fields(const Scene& scene) {
 }
 
 int plane_argument_or_none(lua_State* state, int argument) {
-  const bool userdata = lua_type(state, argument) == LUA_TUSERDATA;
-  return userdata ? static_cast<const Handle*>(lua_touserdata(state, argument))->plane : -1;
+  if (lua_type(state, argument) == LUA_TUSERDATA) return static_cast<const Handle*>(lua_touserdata(state, argument))->plane;
+  if (lua_type(state, argument) != LUA_TTABLE) return -1;
+  const int index = lua_rawgetp(state, argument, &kIndexKey) == LUA_TNUMBER ? static_cast<int>(lua_tointeger(state, -1)) : -1;
+  lua_pop(state, 1);
+  return index;
 }
 
 int plane_argument(lua_State* state, int argument, const char* function) {
-  const bool userdata = lua_type(state, argument) == LUA_TUSERDATA;
-  const auto* handle = userdata ? static_cast<const Handle*>(lua_touserdata(state, argument)) : nullptr;
-  if (handle != nullptr && handle->plane >= 0) {
-    if (handle->plane < host_of(state).geometry->size()) return handle->plane;
-    throw Error(std::string(function) + ": the plane is not of this scene");
-  }
+  const int plane = plane_argument_or_none(state, argument);
+  if (plane >= 0 && plane < host_of(state).geometry->size()) return plane;
+  if (plane >= 0) throw Error(std::string(function) + ": the plane is not of this scene");
   throw Error(std::string(function) + ": argument " + std::to_string(argument) + " must be a plane, not " +
               (lua_isnoneornil(state, argument) ? "nothing" : std::string("a ") + luaL_typename(state, argument)));
 }
@@ -266,9 +271,10 @@ void push_geometry(RuleHost& host) {
 void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
   const LuaState::HostMemory memory(host.lua);
   lua_State* state = host.lua.get();
+  if (scene != nullptr) host.features_read.clear();
+  if (scene == host.scene && geometry == host.geometry) return;
   host.scene = scene;
   host.geometry = geometry;
-  if (scene != nullptr) host.features_read.clear();
   for (const int reference : host.planes) luaL_unref(state, LUA_REGISTRYINDEX, reference);
   host.planes.assign(scene == nullptr ? 0 : scene->planes.size(), LUA_NOREF);
 }

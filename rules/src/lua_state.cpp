@@ -191,11 +191,16 @@ void LuaState::load_prelude() {
   load_as(compiled, kPrelude, "b");
 }
 
-void LuaState::load_as(std::string_view text, const std::string& shown, const char* mode) {
-  // Lua shortens long names in messages, so it is given the last part and the message gets the whole one back.
+/// Lua shortens long names in messages, so it is given the last part and the message gets the whole one back.
+void LuaState::speak_of(const std::string& shown) {
+  if (shown == shown_) return;
   shown_ = shown;
   chunk_ = shown.substr(shown.find_last_of('/') + 1);
   if (chunk_.size() > 50) chunk_ = chunk_.substr(chunk_.size() - 50);
+}
+
+void LuaState::load_as(std::string_view text, const std::string& shown, const char* mode) {
+  speak_of(shown);
   const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + chunk_).c_str(), mode);
   if (status == LUA_OK) return;
   std::string message = status == LUA_ERRMEM ? chunk_ + ": too large for the memory limit" : lua_tostring(lua_, -1);

@@ -39,7 +39,9 @@ class LuaState {
   /// Pushes the prelude, which is compiled once a process: every rule file's state runs it.
   void load_prelude();
 
-  /// Name under which the file loaded last stands in messages before its full name replaces it.
+  /// The file that messages are about from now on: that which was loaded last, unless another is named here.
+  void speak_of(const std::string& shown);
+  /// Name under which that file stands in messages before its full name replaces it.
   [[nodiscard]] const std::string& chunk() const { return chunk_; }
 
   /// Memory that the host itself puts into the state while one of these lives is not the rule's.

@@ -31,9 +31,9 @@ kb::Quantifier quantifier_of(const std::string& name) {
 }  // namespace
 
 RuleFile::RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides)
-    : source_(std::move(source)), host_(std::make_unique<RuleHost>(budget)) {
-  host_->overrides = overrides;
-  open_sandbox(*host_);
+    : RuleFile(std::move(source), std::make_shared<RuleHost>(budget, overrides)) {}
+
+RuleFile::RuleFile(RuleSource source, std::shared_ptr<RuleHost> host) : source_(std::move(source)), host_(std::move(host)) {
   host_->text = source_.text;
   host_->lua.load(source_.text, source_.shown);
   enter_environment(*host_);
@@ -144,7 +144,10 @@ Error RuleFile::located(const Error& error, const std::string& about) const {
   return Error((has_place ? message : source_.shown + ": " + message) + about, error.traceback());
 }
 
-void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) { set_scene(*host_, scene, geometry); }
+void RuleFile::look_at(const Scene* scene, PairGeometry* geometry) {
+  host_->lua.speak_of(source_.shown);
+  set_scene(*host_, scene, geometry);
+}
 
 namespace {
 

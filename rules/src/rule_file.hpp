@@ -24,8 +24,10 @@ class RuleFile {
  public:
   enum class Kind { relation, feature, constraint };
 
-  /// Runs the file. Throws Error naming file, line and field for anything that is not a relation or feature.
+  /// Runs the file in a state of its own. Throws Error naming file, line and field for anything that is not a relation or feature.
   RuleFile(RuleSource source, const Budget& budget, const std::map<std::string, Overrides>& overrides = {});
+  /// The same in a state that it shares with other files, all of them trusted.
+  RuleFile(RuleSource source, std::shared_ptr<RuleHost> host);
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -34,7 +36,7 @@ class RuleFile {
   [[nodiscard]] const kb::Feature& feature() const { return feature_; }
   [[nodiscard]] const TupleConstraint& constraint() const { return constraint_; }
 
-  /// The planes that degree and value speak of by index; both must live as long as they are asked about.
+  /// The planes that degree and value speak of by index; both must live as long as they are asked about, and until another look.
   void look_at(const Scene* scene, PairGeometry* geometry);
 
   /// In [0, 1]; 0 = does not hold. Throws Error naming relation and both planes.
@@ -65,7 +67,7 @@ class RuleFile {
   [[nodiscard]] Error located(const Error& error, const std::string& about) const;
 
   RuleSource source_;
-  std::unique_ptr<RuleHost> host_;
+  std::shared_ptr<RuleHost> host_;
   Kind kind_ = Kind::relation;
   std::string name_;
   RelationInfo relation_;

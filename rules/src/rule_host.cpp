@@ -147,27 +147,31 @@ void enter_environment(RuleHost& host) {
   lua_setupvalue(host.lua.get(), -2, 1);
 }
 
-void open_sandbox(RuleHost& host) {
-  const LuaState::HostMemory memory(host.lua);
-  lua_State* state = host.lua.get();
+/// Opens the libraries, runs the prelude, makes the environment.
+RuleHost::RuleHost(const Budget& budget, const std::map<std::string, Overrides>& given)
+    : lua(budget), trusted(budget.trusts()), overrides(given) {
+  const LuaState::HostMemory memory(lua);
+  lua_State* state = lua.get();
   lua_pushcfunction(state, open_libraries);
-  host.lua.call(0, 0);
-  host.lua.load_prelude();
-  lua_createtable(state, 0, 5);
-  push_geometry(host);
+  lua.call(0, 0);
+  lua.load_prelude();
+  lua_createtable(state, 0, 6);
+  push_geometry(*this);
   lua_setfield(state, -2, "geometry");
+  lua_pushboolean(state, trusted);
+  lua_setfield(state, -2, "trusted");
   const auto add = [&](const char* name, lua_CFunction function) {
-    push_function(host, function);
+    push_function(*this, function);
     lua_setfield(state, -2, name);
   };
   add("nearest", guarded<nearest_word>);
   add("line_of", guarded<line_of>);
   add("base", guarded<base_relation>);
   add("overrides", guarded<overrides_of>);
-  host.lua.call(1, 1);
-  host.environment = luaL_ref(state, LUA_REGISTRYINDEX);
+  lua.call(1, 1);
+  environment = luaL_ref(state, LUA_REGISTRYINDEX);
   lua_pushcfunction(state, strip_libraries);
-  host.lua.call(0, 0);
+  lua.call(0, 0);
 }
 
 }  // namespace scenelore::rules

@@ -19,13 +19,15 @@ using Overrides = std::map<std::string, double>;
 
 /// The C++ side of one state; its address stands behind every host function of that state, so it does not move.
 struct RuleHost {
-  explicit RuleHost(const Budget& budget) : lua(budget) {}
+  /// Opens the sandbox. Throws Error (a bug in the prelude, or no memory).
+  explicit RuleHost(const Budget& budget, const std::map<std::string, Overrides>& overrides = {});
   RuleHost(const RuleHost&) = delete;
   RuleHost& operator=(const RuleHost&) = delete;
 
   LuaState lua;
-  std::string text;                              ///< of the file, to find lines in
-  std::map<std::string, Overrides> overrides;    ///< by relation
+  const bool trusted;                            ///< files that come with the program: what they see need not be guarded against them
+  std::string text;                              ///< of the file that is being loaded, to find lines in
+  const std::map<std::string, Overrides> overrides;  ///< by relation
   const Scene* scene = nullptr;
   PairGeometry* geometry = nullptr;
   std::set<std::string, std::less<>> features_read;  ///< of the catalogue, since set_scene; "?" = some name that it lacks
@@ -35,13 +37,11 @@ struct RuleHost {
   int environment = LUA_NOREF;                   ///< registry: globals of the file
 };
 
-/// Opens the libraries, runs the prelude, makes the environment. Throws Error (a bug in the prelude, or no memory).
-void open_sandbox(RuleHost& host);
-
 /// Gives the function on top of the stack the file's globals.
 void enter_environment(RuleHost& host);
 
-/// The planes asked about from now on. Both must outlive the next call into the state; nullptr for none.
+/// The planes asked about from now on. Both must outlive the next call into the state; nullptr for none. Lua's values of the planes stay
+/// as long as the scene is the same.
 void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry);
 
 /// Makes plane number `index` of the scene a Lua value, unless it is one.

@@ -85,8 +85,8 @@ std::vector<Held> by_planes(const std::vector<kb::PlaneId>& ids, const std::vect
 
 }  // namespace
 
-/// A rule that runs in a state of its own, made when it is first asked; a user's file is run at once, to see whether it
-/// is in order.
+/// Built-in files run in one state, each when it is first asked; a user's file in a state of its own, at once, to see whether it is in
+/// order.
 struct RuleSet::Implementation {
   struct Entry {
     RuleSource source;
@@ -97,13 +97,36 @@ struct RuleSet::Implementation {
   Budget budget;
   std::map<std::string, Overrides> overrides;  // by relation
   Entries relations, features, tuple_constraints;
+  std::shared_ptr<RuleHost> built_in;  // made when a file needs it
   SceneDigest::Last last_planes;
   std::string hash;  // once it was asked for; what is loaded does not change
 
   [[nodiscard]] RuleFile& file(Entry& entry) {
-    if (!entry.file) entry.file = std::make_unique<RuleFile>(entry.source, Budget::trusting(budget), overrides);
+    if (entry.file) return *entry.file;
+    if (!built_in) built_in = std::make_shared<RuleHost>(Budget::trusting(budget), overrides);
+    entry.file = std::make_unique<RuleFile>(entry.source, built_in);
     return *entry.file;
   }
+
+  /// Shows rule files a scene as long as it lives, so that its planes are made for Lua once for all built-in files.
+  class Show {
+   public:
+    explicit Show(const Scene& scene) : scene_(scene) {}
+    Show(const Show&) = delete;
+    Show& operator=(const Show&) = delete;
+    ~Show() {
+      for (RuleFile* file : files_) file->look_at(nullptr, nullptr);
+    }
+    /// The same geometry for all.
+    void to(RuleFile& file, PairGeometry& geometry) {
+      files_.insert(&file);
+      file.look_at(&scene_, &geometry);
+    }
+
+   private:
+    const Scene& scene_;
+    std::set<RuleFile*> files_;
+  };
 
   /// Built-in files are named after what they define (a test sees to it).
   void add_built_in(RuleSource source) {
@@ -171,11 +194,10 @@ struct RuleSet::Implementation {
                 "' is too slow for this scene: give it a smaller 'within' or a cheap 'applies'");
   }
 
-  RelationCount ask(RuleFile& file, const Scene& scene, PairGeometry& geometry, const std::vector<std::pair<int, int>>& pairs,
-                    std::vector<Held>& facts) const {
+  /// A file that has been shown the scene.
+  RelationCount ask(RuleFile& file, const Scene& scene, const std::vector<std::pair<int, int>>& pairs, std::vector<Held>& facts) const {
     const Clock::time_point start = Clock::now();
     RelationCount count{.relation = file.name()};
-    file.look_at(&scene, &geometry);
     const RelationInfo& info = file.relation();
     constexpr std::size_t kQuestions = 64;  // between two looks at the clock
     const std::size_t at_once = info.symmetric ? kQuestions : kQuestions / 2;
@@ -196,7 +218,6 @@ struct RuleSet::Implementation {
     count.asked = static_cast<std::int64_t>(degrees.size());
     facts = by_planes(scene.ids, pairs, degrees);
     count.held = static_cast<std::int64_t>(facts.size());
-    file.look_at(nullptr, nullptr);
     count.milliseconds = milliseconds_since(start);
     return count;
   }
@@ -306,6 +327,7 @@ void keep(KeptAnswers* kept, const std::string& rule, const RuleFile& file, cons
 
 void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept) const {
   PairGeometry geometry(scene.planes);
+  Implementation::Show show(scene);
   const SceneDigest digest(scene, implementation_->last_planes);  // `table` is often the scene's own: a feature may look at those before it
   table.values.resize(scene.planes.size(), std::vector<double>(table.names.size()));
   for (auto& [name, entry] : implementation_->features) {
@@ -323,14 +345,13 @@ void RuleSet::compute_features(const Scene& scene, kb::FeatureTable& table, Kept
     RuleFile* const file = &implementation_->file(entry);
     const Clock::time_point start = Clock::now();
     table.names.push_back(name);
-    file->look_at(&scene, &geometry);
+    show.to(*file, geometry);
     std::string answers;
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {
       implementation_->check_total(*file, start, static_cast<std::int64_t>(i));
       table.values[i].push_back(file->value(static_cast<int>(i)));
       put(answers, table.values[i].back());
     }
-    file->look_at(nullptr, nullptr);
     keep(kept, rule, *file, digest, std::move(answers));
   }
 }
@@ -363,6 +384,7 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
   Facts out;
   const SceneDigest digest(scene, implementation_->last_planes);
   KeptGeometry geometry(scene, digest);
+  Implementation::Show show(scene);
   std::vector<Box3> boxes;
   std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs;  // by reach, which many relations share
   std::map<std::string, Answer> answers;
@@ -391,7 +413,8 @@ Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relati
       const RelationInfo& info = file.relation();
       const auto [list, new_reach] = pairs.try_emplace({info.within, info.within_plan});
       if (new_reach) list->second = pairs_in_reach(boxes, info.within, info.within_plan);
-      out.counts.push_back(implementation_->ask(file, scene, geometry.with(known.geometry), list->second, result.found));
+      show.to(file, geometry.with(known.geometry));
+      out.counts.push_back(implementation_->ask(file, scene, list->second, result.found));
       result.asked = {.asked = out.counts.back().asked, .held = out.counts.back().held, .within = info.within,
                       .within_plan = info.within_plan, .features = file.features_read()};
     }
@@ -453,6 +476,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
   const SceneDigest digest(scene, implementation_->last_planes);
   KeptGeometry kept(scene, digest);
   PairGeometry& geometry = kept.with(known == nullptr ? kb::StoredGeometry{} : *known);
+  Implementation::Show show(scene);
   const std::vector<Box3> boxes = boxes_of(scene.planes);
   for (auto& [name, entry] : implementation_->tuple_constraints) {
     RuleFile& file = implementation_->file(entry);
@@ -475,7 +499,7 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
       neighbours[static_cast<std::size_t>(a)].push_back(b);
       neighbours[static_cast<std::size_t>(b)].push_back(a);
     }
-    file.look_at(&scene, &geometry);
+    show.to(file, geometry);
     for (int a = 0; a < geometry.size(); ++a) {
       std::vector<int>& near = neighbours[static_cast<std::size_t>(a)];
       std::sort(near.begin(), near.end());
@@ -499,7 +523,6 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
       };
       extend(extend);
     }
-    file.look_at(nullptr, nullptr);
     keep(answers, rule, file, digest, encoded(constraint.tuples));
     out.push_back(std::move(constraint));
   }
@@ -510,11 +533,10 @@ std::vector<TupleConstraint> RuleSet::constraints(const Scene& scene, const kb::
 double RuleSet::degree(const std::string& relation, const Scene& scene, int a, int b) const {
   if (const std::optional<std::string> other = implementation_->mirrored(relation)) return degree(*other, scene, b, a);
   PairGeometry geometry(scene.planes);
+  Implementation::Show show(scene);
   RuleFile& file = implementation_->relation(relation);
-  file.look_at(&scene, &geometry);
-  const double degree = file.degree(a, b);
-  file.look_at(nullptr, nullptr);
-  return degree;
+  show.to(file, geometry);
+  return file.degree(a, b);
 }
 
 }  // namespace scenelore::rules

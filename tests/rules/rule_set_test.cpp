@@ -374,6 +374,20 @@ TEST(Relate, TakesGeometryFromTheRunBeforeOnlyForTheSamePlanes) {
   EXPECT_EQ(degrees(RuleSet::load().relate(scene, names, {{}, wrong})), degrees(RuleSet::load().relate(scene, names)));
 }
 
+TEST(Relate, GivesBuiltInFilesNoOtherAnswersThanTheSameFilesOfAUser) {
+  const test::TemporaryFolder folder;
+  const Scene scene = building(2);
+  RuleSet built_in = RuleSet::load();
+  const std::vector<std::string> names = all_relations(built_in);
+  for (const std::string& name : names) test::write_file(folder / (name + ".lua"), built_in.text(name));
+  const Facts trusted = built_in.relate(scene, names), guarded = RuleSet::load({folder.path()}).relate(scene, names);
+  ASSERT_EQ(trusted.facts.size(), guarded.facts.size());
+  for (std::size_t i = 0; i < trusted.facts.size(); ++i) {
+    const kb::RelationFact &f = trusted.facts[i], &g = guarded.facts[i];
+    EXPECT_EQ(std::tie(f.relation, f.a, f.b, f.degree), std::tie(g.relation, g.a, g.b, g.degree));
+  }
+}
+
 TEST(Relate, SortsFactsAndGivesTheSameTwice) {
   RuleSet rules = RuleSet::load();
   const Scene scene = building(2);

@@ -98,7 +98,7 @@ struct KeptAnswers {
 };
 
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
-/// replaces a built-in one of the same name. Each file runs in a sandboxed state of its own. Not safe for concurrent use.
+/// replaces a built-in one of the same name. Each file of a user's runs in a sandboxed state of its own. Not safe for concurrent use.
 class RuleSet {
  public:
   /// `settings` named `relation.tolerance` (say `above.reach` = `0.4`) replace tolerances of relations; the others are
