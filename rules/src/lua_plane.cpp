@@ -181,8 +181,7 @@ using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);
 template <PairFunction function>
 int pair_function(lua_State* state) {
   RuleHost& host = host_of(state);
-  const char* name = lua_tostring(state, lua_upvalueindex(2));
-  const int a = plane_argument(state, 1, name), b = plane_argument(state, 2, name);
+  const int a = plane_argument(state, 1), b = plane_argument(state, 2);
   lua_pushnumber(state, function(*host.geometry, a, b, state));
   return 1;
 }
@@ -249,11 +248,12 @@ int plane_argument_or_none(lua_State* state, int argument) {
   return index;
 }
 
-int plane_argument(lua_State* state, int argument, const char* function) {
+int plane_argument(lua_State* state, int argument) {
   const int plane = plane_argument_or_none(state, argument);
   if (plane >= 0 && plane < host_of(state).geometry->size()) return plane;
-  if (plane >= 0) throw Error(std::string(function) + ": the plane is not of this scene");
-  throw Error(std::string(function) + ": argument " + std::to_string(argument) + " must be a plane, not " +
+  const std::string function = lua_tostring(state, lua_upvalueindex(2));
+  if (plane >= 0) throw Error(function + ": the plane is not of this scene");
+  throw Error(function + ": argument " + std::to_string(argument) + " must be a plane, not " +
               (lua_isnoneornil(state, argument) ? "nothing" : std::string("a ") + luaL_typename(state, argument)));
 }
 

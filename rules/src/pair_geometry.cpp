@@ -59,11 +59,11 @@ double PairGeometry::known_or(const Key& key, const Limits& limits, Compute comp
   if (value >= limits.high) {
     range.low = limits.high;
   } else if (value <= limits.low) {
-    range.high = limits.low;
+    range.high = value;
   } else {
     range = {value, value};
   }
-  return value;
+  return limits(value);
 }
 
 double PairGeometry::gap(int a, int b, const Limits& limits) {

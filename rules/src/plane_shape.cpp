@@ -188,7 +188,7 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) 
   }
   if (best > enough) best = edges_to_inside(a, b, best);
   if (best > enough) best = edges_to_inside(b, a, best);
-  return limits(std::sqrt(best));
+  return std::min(limits.high, std::sqrt(best));
 }
 
 double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach, const Limits& limits) {

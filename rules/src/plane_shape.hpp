@@ -46,7 +46,8 @@ struct PlaneShape {
 /// Of the outline with its holes; of the centroid where there is none.
 [[nodiscard]] Box3 box_of(const perception::Plane& plane);
 
-/// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact between the limits.
+/// Smallest distance of two outlines with all they enclose (holes are left out); 0 when they touch or cross. Exact between the limits; below
+/// the lower one, that or something greater, but no more than the limit; above the upper one, the limit.
 [[nodiscard]] double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits = {});
 
 /// Share of a's footprint that lies over b's, or within `reach` metres of it; in [0, 1]. Exact between the limits.

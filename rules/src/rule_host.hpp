@@ -50,8 +50,8 @@ void make_known(RuleHost& host, int index);
 /// Pushes that value; makes it if need be.
 void push_plane(RuleHost& host, int index);
 
-/// Index of the plane at stack position `argument`. Throws Error naming `function` when it is something else.
-[[nodiscard]] int plane_argument(lua_State* state, int argument, const char* function);
+/// Index of the plane at stack position `argument` of a geometry function. Throws Error naming that when it is something else.
+[[nodiscard]] int plane_argument(lua_State* state, int argument);
 
 /// The same; −1 for something else.
 [[nodiscard]] int plane_argument_or_none(lua_State* state, int argument);

@@ -107,7 +107,10 @@ class Shares {
  public:
   Shares(const ScannedRegion& a, const ScannedRegion& b, double reach) : reach_(reach) {
     const Box2 around(a.box().min().array() - reach, a.box().max().array() + reach);
+    crossed_.reserve(b.levels().size());
+    close_.reserve(b.levels().size());
     for (const Level& edge : b.levels()) {
+      if (edge.low > around.max().y()) break;
       if (edge.high >= a.box().min().y() && edge.low <= a.box().max().y()) crossed_.push_back(&edge);
       const bool reaches = edge.high >= around.min().y() && edge.low <= around.max().y() && edge.right >= around.min().x() && edge.left <= around.max().x();
       if (reaches) close_.push_back(&edge);

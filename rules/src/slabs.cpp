@@ -81,11 +81,11 @@ struct Beside {
 };
 
 Beside beside(const Slabs::Slab& slab, const Slabs& b, double reach) {
-  const auto wide = [reach](double away) { return std::sqrt(std::max(0.0, reach * reach - away * away)); };
+  const auto wide = [reach](double away) { return away <= 0 ? reach : std::sqrt(std::max(0.0, reach * reach - away * away)); };
   Beside out;
   Interval across{-kInfinite, kInfinite};
   double seen_up_to = slab.low;
-  for (const Slabs::Slab& other : b.all()) {
+  for (const Slabs::Slab& other : b.between(slab.low - reach - kRounding, slab.high + reach + kRounding)) {
     const double nearest = std::max({0.0, other.low - slab.high, slab.low - other.high});
     if (nearest > reach + kRounding) continue;
     const Interval outer = grown(other.outer, wide(nearest) + kRounding);
@@ -107,6 +107,14 @@ Beside beside(const Slabs::Slab& slab, const Slabs& b, double reach) {
 }
 
 }  // namespace
+
+std::span<const Slabs::Slab> Slabs::between(double low, double high) const {
+  const double first = slabs_.front().low, height = (slabs_.back().high - first) / kCount;
+  if (!(height > 0)) return slabs_;
+  const auto index = [&](double y) { return std::clamp((y - first) / height, -1.0, kCount + 1.0); };
+  const int begin = std::clamp(static_cast<int>(index(low)) - 1, 0, kCount), end = std::clamp(static_cast<int>(index(high)) + 2, begin, kCount);
+  return std::span(slabs_).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+}
 
 SharedSlabs shared_slabs(const Slabs& a, const Slabs& b, double reach) {
   using Part = SharedSlabs::Part;

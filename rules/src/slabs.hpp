@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <utility>
 
 #include "region.hpp"
 
@@ -25,6 +27,8 @@ class Slabs {
     Interval inner;    ///< all heights within the slab, borders left out, have all of this inside the region
   };
   [[nodiscard]] const std::array<Slab, kCount>& all() const { return slabs_; }
+  /// Those that reach between two heights, and perhaps a neighbour or two.
+  [[nodiscard]] std::span<const Slab> between(double low, double high) const;
 
  private:
   std::array<Slab, kCount> slabs_{};
