@@ -117,43 +117,47 @@ class Shares {
     }
   }
 
-  /// Ends when the limits tell the answer.
-  [[nodiscard]] double of(const CutLines& cut, const Slabs& slabs, const SharedSlabs& plain, const Limits& limits) {
-    if (cut.area <= 0) return 0;
+  /// The share of an area, of which `for_each_line` visits lines from below. Ends when the limits tell the answer.
+  template <typename ForEachLine>
+  [[nodiscard]] double of(double area, ForEachLine for_each_line, const Slabs& slabs, const SharedSlabs& plain, const Limits& limits) {
     Sweep inside_b(crossed_, 0), near_b(close_, reach_);
-    double shared = 0;
+    double all = 0, shared = 0;
+    std::optional<double> decided;
     std::size_t slab = 0;
-    for (const CutLines::Line& line : cut.lines) {
+    for_each_line([&](const CutLine& line) {
       if (slab + 1 < slabs.all().size() && line.y > slabs.all()[slab].high) {
         ++slab;
-        if (const auto decided = decide(shared + plain.least[slab], shared + plain.most[slab], cut.area, limits)) return *decided;
+        decided = decide(shared + plain.least[slab], shared + plain.most[slab], area, limits);
+        if (decided) return false;
       }
-      if (line.begin == line.end || plain.part[slab] == SharedSlabs::Part::none) continue;
-      const bool all = plain.part[slab] == SharedSlabs::Part::all;
-      shared += (all ? line.length : shared_on(line, cut.of(line), inside_b.at(line.y), near_b)) * line.height;
-    }
-    return std::clamp(shared / cut.area, 0.0, 1.0);
+      all += line.length * line.height;
+      if (line.inside.empty() || plain.part[slab] == SharedSlabs::Part::none) return true;
+      const bool is_all = plain.part[slab] == SharedSlabs::Part::all;
+      shared += (is_all ? line.length : shared_on(line, inside_b.at(line.y), near_b)) * line.height;
+      return true;
+    });
+    return decided ? *decided : all > 0 ? std::clamp(shared / all, 0.0, 1.0) : 0;
   }
 
  private:
   /// Length on the line that a has and b has or is near to.
-  double shared_on(const CutLines::Line& line, std::span<const Interval> of_a, const std::vector<const Level*>& crossed, Sweep& near_b) {
+  double shared_on(const CutLine& line, const std::vector<const Level*>& crossed, Sweep& near_b) {
     of_b_.clear();
     add_inside(crossed, line.y, crossings_, of_b_);
-    const double shared = shared_length(of_a, of_b_);
+    const double shared = shared_length(line.inside, of_b_);
     if (shared >= line.length) return shared;  // b itself has all of it, whatever is near
     const std::size_t inside = of_b_.size();
-    const bool all = add_near(line, of_a, near_b.at(line.y));
+    const bool all = add_near(line, near_b.at(line.y));
     if (all) return line.length;
     if (of_b_.size() == inside) return shared;
     merge(of_b_);
-    return shared_length(of_a, of_b_);
+    return shared_length(line.inside, of_b_);
   }
 
   /// Adds to what b has the intervals near its edges, but for those that cannot matter: only where a goes on beyond b does it matter how
   /// far from b. Returns whether they make up for all that b lacks.
-  bool add_near(const CutLines::Line& line, std::span<const Interval> of_a, const std::vector<const Level*>& edges) {
-    Lack lack(of_a, of_b_);
+  bool add_near(const CutLine& line, const std::vector<const Level*>& edges) {
+    Lack lack(line.inside, of_b_);
     const bool touching = std::adjacent_find(of_b_.begin(), of_b_.end(), [](const Interval& i, const Interval& j) { return i.second >= j.first; }) != of_b_.end();
     const bool a_matter_of_rounding = lack.none() || touching;  // which all intervals together settle
     for (const Level* edge : edges) {
@@ -173,30 +177,35 @@ class Shares {
   Intervals of_b_;
 };
 
+std::vector<const Level*> pointers_to(const std::vector<Level>& levels) {
+  std::vector<const Level*> out;
+  out.reserve(levels.size());
+  for (const Level& level : levels) out.push_back(&level);
+  return out;
+}
+
 std::vector<double> even_slabs(const Box2& box) {
   std::vector<double> cuts;
   for (int i = 0; i <= Slabs::kCount; ++i) cuts.push_back(Slabs::bound(box, i));
   return cuts;
 }
 
-/// The lines through the slabs between the given heights.
-CutLines cut_lines(const std::vector<const Level*>& edges, const std::vector<double>& heights) {
-  CutLines out;
-  out.lines.reserve(heights.size() * ScannedRegion::kLinesPerSlab);
+/// Visits the lines through the slabs between the given heights, from below, until `visit` returns false.
+template <typename Visit>
+void cut_lines(const ScannedRegion& region, const std::vector<double>& heights, Visit visit) {
+  const std::vector<const Level*> edges = pointers_to(region.levels());
   Sweep sweep(edges, 0);
   std::vector<double> crossings;
+  Intervals inside;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double height = (heights[i + 1] - heights[i]) / ScannedRegion::kLinesPerSlab;
     for (int k = 0; k < ScannedRegion::kLinesPerSlab; ++k) {
       const double y = heights[i] + (k + 0.5) * height;
-      const std::size_t begin = out.inside.size();
-      add_inside(sweep.at(y), y, crossings, out.inside);
-      const double length = length_of(std::span(out.inside).subspan(begin));
-      out.lines.push_back({y, height, length, begin, out.inside.size()});
-      out.area += length * height;
+      inside.clear();
+      add_inside(sweep.at(y), y, crossings, inside);
+      if (!visit(CutLine{y, height, length_of(inside), inside})) return;
     }
   }
-  return out;
 }
 
 /// Heights at which the share of a line may jump: corners, and b's corners moved by the reach. Nothing where there are so many that
@@ -219,6 +228,13 @@ std::vector<double> jumps(const ScannedRegion& a, const ScannedRegion& b, double
 
 }  // namespace
 
+void CutLines::add(const CutLine& line) {
+  const std::size_t begin = inside_.size();
+  inside_.insert(inside_.end(), line.inside.begin(), line.inside.end());
+  lines_.push_back({line.y, line.height, line.length, begin, inside_.size()});
+  area_ += line.length * line.height;
+}
+
 ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(region_.area()) {
   for (const std::vector<Eigen::Vector2d>& ring : region_.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -240,19 +256,13 @@ bool ScannedRegion::boundary_enters(const Box2& box) const {
   return false;
 }
 
-namespace {
-
-std::vector<const Level*> pointers_to(const std::vector<Level>& levels) {
-  std::vector<const Level*> out;
-  out.reserve(levels.size());
-  for (const Level& level : levels) out.push_back(&level);
-  return out;
-}
-
-}  // namespace
-
 const CutLines& ScannedRegion::even_lines() const {
-  if (even_.lines.empty()) even_ = cut_lines(pointers_to(levels_), even_slabs(box()));
+  if (even_.empty()) {
+    cut_lines(*this, even_slabs(box()), [&](const CutLine& line) {
+      even_.add(line);
+      return true;
+    });
+  }
   return even_;
 }
 
@@ -273,15 +283,16 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   if (reach <= 0) return std::clamp(shared_area(a.region(), b.region()) / a.area(), 0.0, 1.0);
   std::vector<double> cuts = jumps(a, b, reach);
   const SharedSlabs plain = shared_slabs(a.slabs(), b.slabs(), reach);
-  // Lines cut at each corner of a have its very area.
-  if (const auto decided = decide(plain.least[0], plain.most[0], cuts.empty() ? a.even_lines().area : a.area(), limits)) return *decided;
+  const double area = cuts.empty() ? a.even_lines().area() : a.area();  // which lines that are cut at each corner of a have, too
+  if (const auto decided = decide(plain.least[0], plain.most[0], area, limits)) return *decided;
   Shares shares(a, b, reach);
-  if (cuts.empty()) return shares.of(a.even_lines(), a.slabs(), plain, limits);
+  const auto share = [&](auto for_each_line) { return shares.of(area, for_each_line, a.slabs(), plain, limits); };
+  if (cuts.empty()) return share([&](auto visit) { a.even_lines().for_each(visit); });
   const std::vector<double> even = even_slabs(a.box());
   cuts.insert(cuts.end(), even.begin(), even.end());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  return shares.of(cut_lines(pointers_to(a.levels()), cuts), a.slabs(), plain, limits);
+  return share([&](auto visit) { cut_lines(a, cuts, visit); });
 }
 
 double share_within(const Region& a, const Region& b, double reach) { return share_within(ScannedRegion(a), ScannedRegion(b), reach); }

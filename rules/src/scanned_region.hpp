@@ -9,20 +9,35 @@
 
 namespace scenelore::rules {
 
-/// Lines along x through a region, from below, each standing for a slab of some height.
-struct CutLines {
-  struct Line {
-    double y, height;       ///< of the line; of its slab
-    double length;          ///< inside the region
-    std::size_t begin, end; ///< in `inside`
-  };
-  std::vector<Line> lines;
-  Intervals inside;
-  double area = 0;          ///< of lengths times heights
+/// A line along x through a region, standing for a slab of some height.
+struct CutLine {
+  double y, height;  ///< of the line; of its slab
+  double length;     ///< inside the region
+  std::span<const std::pair<double, double>> inside;
+};
 
-  [[nodiscard]] std::span<const std::pair<double, double>> of(const Line& line) const {
-    return std::span(inside).subspan(line.begin, line.end - line.begin);
+/// Such lines from below, kept.
+class CutLines {
+ public:
+  void add(const CutLine& line);
+  [[nodiscard]] bool empty() const { return lines_.empty(); }
+  /// Of lengths times heights.
+  [[nodiscard]] double area() const { return area_; }
+  template <typename Visit>
+  void for_each(Visit visit) const {  ///< until it returns false
+    for (const Kept& line : lines_) {
+      if (!visit(CutLine{line.y, line.height, line.length, std::span(inside_).subspan(line.begin, line.end - line.begin)})) return;
+    }
   }
+
+ private:
+  struct Kept {
+    double y, height, length;
+    std::size_t begin, end;  // in inside_
+  };
+  std::vector<Kept> lines_;
+  Intervals inside_;
+  double area_ = 0;
 };
 
 class ScannedRegion {
