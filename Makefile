@@ -32,7 +32,7 @@ experiments: bench
 relabel: bench
 	build/bench/bin/relabel
 
-# Time of each step from stored planes to labels and reasons, in memory, on five simulated rooms; SCANS="a.gpkg …" for others.
+# Time of each step from stored planes to labels and reasons, in memory, on eight simulated rooms; SCANS="a.gpkg …" for others.
 SCANS ?=
 label_bench: bench
 	build/bench/bin/label_bench $(SCANS)
