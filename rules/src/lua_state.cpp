@@ -49,7 +49,7 @@ void put_traceback(lua_State* state, char* out, std::size_t size) {
 
 }  // namespace
 
-LuaState::LuaState(const Budget& budget) : budget_(budget), limit_(budget.memory_bytes) {
+LuaState::LuaState(const Budget& budget, bool counted) : budget_(budget), counted_(counted), limit_(budget.memory_bytes) {
   lua_ = lua_newstate(allocate, this);
   if (lua_ == nullptr) throw Error("a Lua state does not fit into " + std::to_string(budget.memory_bytes) + " bytes");
   *static_cast<LuaState**>(lua_getextraspace(lua_)) = this;
@@ -86,7 +86,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
 void LuaState::start_counting() {
   spent_ = 0;
   timed_ = false;  // most calls end before the hook runs and never look at the clock
-  if (!budget_.trusts() && (exhausted_ || lua_gethook(lua_) == nullptr)) lua_sethook(lua_, count_hook, LUA_MASKCOUNT, kStep);
+  if (counted_ && (exhausted_ || lua_gethook(lua_) == nullptr)) lua_sethook(lua_, count_hook, LUA_MASKCOUNT, kStep);
   exhausted_ = false;
   refused_memory_ = false;
 }

@@ -148,8 +148,8 @@ void enter_environment(RuleHost& host) {
 }
 
 /// Opens the libraries, runs the prelude, makes the environment.
-RuleHost::RuleHost(const Budget& budget, const std::map<std::string, Overrides>& given)
-    : lua(budget), trusted(budget.trusts()), overrides(given) {
+RuleHost::RuleHost(const Budget& budget, const std::map<std::string, Overrides>& given, Trust trust)
+    : lua(budget, trust == Trust::stranger), trusted(trust == Trust::program), overrides(given) {
   const LuaState::HostMemory memory(lua);
   lua_State* state = lua.get();
   lua_pushcfunction(state, open_libraries);

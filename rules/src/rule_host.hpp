@@ -17,15 +17,18 @@ namespace scenelore::rules {
 /// Values of tolerances by field name, from settings.
 using Overrides = std::map<std::string, double>;
 
+/// Whose files a state runs. Those of strangers are counted and kept from what they see; those that come with the program need not be.
+enum class Trust { stranger, program };
+
 /// The C++ side of one state; its address stands behind every host function of that state, so it does not move.
 struct RuleHost {
   /// Opens the sandbox. Throws Error (a bug in the prelude, or no memory).
-  explicit RuleHost(const Budget& budget, const std::map<std::string, Overrides>& overrides = {});
+  explicit RuleHost(const Budget& budget, const std::map<std::string, Overrides>& overrides = {}, Trust trust = Trust::stranger);
   RuleHost(const RuleHost&) = delete;
   RuleHost& operator=(const RuleHost&) = delete;
 
   LuaState lua;
-  const bool trusted;                            ///< files that come with the program: what they see need not be guarded against them
+  const bool trusted;
   std::string text;                              ///< of the file that is being loaded, to find lines in
   const std::map<std::string, Overrides> overrides;  ///< by relation
   const Scene* scene = nullptr;

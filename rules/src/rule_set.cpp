@@ -103,7 +103,7 @@ struct RuleSet::Implementation {
 
   [[nodiscard]] RuleFile& file(Entry& entry) {
     if (entry.file) return *entry.file;
-    if (!built_in) built_in = std::make_shared<RuleHost>(Budget::trusting(budget), overrides);
+    if (!built_in) built_in = std::make_shared<RuleHost>(budget, overrides, Trust::program);
     entry.file = std::make_unique<RuleFile>(entry.source, built_in);
     return *entry.file;
   }

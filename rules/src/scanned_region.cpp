@@ -283,7 +283,7 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   if (reach <= 0) return std::clamp(shared_area(a.region(), b.region()) / a.area(), 0.0, 1.0);
   std::vector<double> cuts = jumps(a, b, reach);
   const SharedSlabs plain = shared_slabs(a.slabs(), b.slabs(), reach);
-  const double area = cuts.empty() ? a.even_lines().area() : a.area();  // which lines that are cut at each corner of a have, too
+  const double area = cuts.empty() ? a.even_lines().area() : a.area();  // which lines cut at each corner have, too, unless a crosses itself
   if (const auto decided = decide(plain.least[0], plain.most[0], area, limits)) return *decided;
   Shares shares(a, b, reach);
   const auto share = [&](auto for_each_line) { return shares.of(area, for_each_line, a.slabs(), plain, limits); };

@@ -18,21 +18,12 @@
 
 namespace scenelore::rules {
 
-/// Limits of one call into a rule file; exceeding one is an Error that names file and line.
+/// Limits of one call into a rule file of a user's; exceeding one is an Error that names file and line. Of built-in files, memory alone.
 struct Budget {
   std::int64_t instructions = 10'000'000;
   std::chrono::milliseconds time{2000};
   std::size_t memory_bytes = 16u << 20;
   std::chrono::milliseconds total{60'000};  ///< for all calls of one relation (or feature) on one scene
-
-  /// No limit of instructions and time. Built-in files are part of the program and have no loops, and counting takes a quarter of the
-  /// time of a call.
-  [[nodiscard]] static Budget trusting(Budget budget) {
-    budget.instructions = std::numeric_limits<std::int64_t>::max();
-    budget.time = std::chrono::milliseconds::max();
-    return budget;
-  }
-  [[nodiscard]] bool trusts() const { return instructions == std::numeric_limits<std::int64_t>::max() && time == std::chrono::milliseconds::max(); }
 };
 
 struct RelationInfo {
