@@ -1,6 +1,7 @@
 #include "cell_index.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace scenelore::perception {
@@ -12,7 +13,68 @@ std::size_t hash(CellKey key) {
   return static_cast<std::size_t>(key ^ (key >> 29));
 }
 
+/// Places of a box for each item, up to which a table of all of them is less work than a hash of those that hold something.
+constexpr std::uint64_t kPlacesPerItem = 8, kFewPlaces = 4096;
+
 }  // namespace
+
+void CellIndex::Box::extend(CellKey key) {
+  const Fields f = fields_of(key);
+  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], f[axis]), high[axis] = std::max(high[axis], f[axis]);
+}
+
+CellIndex::CellIndex(std::span<const CellKey> keys) {
+  CellKey last = kNoCell;
+  for (const CellKey key : keys) {
+    if (key != last && key != kNoCell) box_.extend(last = key);
+  }
+  if (last == kNoCell) {
+    cell_of_.assign(keys.size(), -1);
+    starts_.assign(1, 0);
+    return;
+  }
+  if (box_.size() <= kPlacesPerItem * keys.size() + kFewPlaces) {
+    number_in_box(keys);
+  } else {
+    number_by_hash(keys);
+  }
+  items_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+    if (cell_of_[i] >= 0) items_[next[static_cast<std::size_t>(cell_of_[i])]++] = static_cast<std::uint32_t>(i);
+  }
+}
+
+/// Items by place first, then cells in the order of the places, which is that of the keys.
+void CellIndex::number_in_box(std::span<const CellKey> keys) {
+  dense_ = true;
+  std::vector<std::uint32_t> held(box_.size(), 0);
+  cell_of_.resize(keys.size());
+  CellKey last = kNoCell;
+  std::int32_t place = -1;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] != last) {
+      last = keys[i];
+      place = last == kNoCell ? -1 : static_cast<std::int32_t>(box_.place(fields_of(last)));
+    }
+    cell_of_[i] = place;
+    if (place >= 0) ++held[static_cast<std::size_t>(place)];
+  }
+  table_.resize(held.size());
+  std::uint32_t items = 0;
+  for (std::size_t p = 0; p < held.size(); ++p) {
+    table_[p] = -1;
+    if (held[p] == 0) continue;
+    table_[p] = static_cast<std::int32_t>(keys_.size());
+    keys_.push_back(box_.key(p));
+    starts_.push_back(items);
+    items += held[p];
+  }
+  starts_.push_back(items);
+  for (std::int32_t& cell : cell_of_) {
+    if (cell >= 0) cell = table_[static_cast<std::size_t>(cell)];
+  }
+}
 
 void CellIndex::grow_table() {
   const std::size_t size = std::max<std::size_t>(1024, table_.size() * 4);
@@ -38,8 +100,9 @@ std::int32_t CellIndex::insert(CellKey key) {
   return cell;
 }
 
-CellIndex::CellIndex(std::span<const CellKey> keys) : cell_of_(keys.size(), -1) {
+void CellIndex::number_by_hash(std::span<const CellKey> keys) {
   grow_table();
+  cell_of_.assign(keys.size(), -1);
   CellKey last = kNoCell;
   std::int32_t cell = -1;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -49,15 +112,14 @@ CellIndex::CellIndex(std::span<const CellKey> keys) : cell_of_(keys.size(), -1) 
     cell_of_[i] = cell;
   }
   // Numbers by key, so that they do not depend on the order of the items.
-  std::vector<std::int32_t> order(keys_.size()), rank(keys_.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return keys_[a] < keys_[b]; });
-  std::vector<CellKey> sorted(keys_.size());
+  std::vector<std::pair<CellKey, std::int32_t>> order(keys_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = {keys_[i], static_cast<std::int32_t>(i)};
+  std::sort(order.begin(), order.end());
+  std::vector<std::int32_t> rank(keys_.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    rank[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
-    sorted[i] = keys_[static_cast<std::size_t>(order[i])];
+    rank[static_cast<std::size_t>(order[i].second)] = static_cast<std::int32_t>(i);
+    keys_[i] = order[i].first;
   }
-  keys_ = std::move(sorted);
   for (std::int32_t& entry : table_) {
     if (entry >= 0) entry = rank[static_cast<std::size_t>(entry)];
   }
@@ -68,15 +130,9 @@ CellIndex::CellIndex(std::span<const CellKey> keys) : cell_of_(keys.size(), -1) 
     ++starts_[static_cast<std::size_t>(c) + 1];
   }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  items_.resize(starts_.back());
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
-    if (cell_of_[i] >= 0) items_[next[static_cast<std::size_t>(cell_of_[i])]++] = static_cast<std::uint32_t>(i);
-  }
 }
 
-std::int32_t CellIndex::find(CellKey key) const {
-  if (table_.empty()) return -1;
+std::int32_t CellIndex::find_by_hash(CellKey key) const {
   std::size_t at = hash(key) & mask_;
   while (table_[at] >= 0) {
     if (keys_[static_cast<std::size_t>(table_[at])] == key) return table_[at];

@@ -1,6 +1,8 @@
 // Items sorted into cells by an integer key: the one data structure behind voxels, patches and thinning.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,7 +34,8 @@ struct CellCoordinates {
           static_cast<std::int64_t>(key & mask) - shift};
 }
 
-/// Cells are numbered by rising key, items of a cell keep their order. Linear in the number of items, plus sorting the cells.
+/// Cells are numbered by rising key, items of a cell keep their order. Linear in the number of items: cells whose box is not
+/// much larger than what it holds (those of a plane, of the directions of a view) are a table of the box, others a hash and sorted.
 class CellIndex {
  public:
   CellIndex() = default;
@@ -44,19 +47,54 @@ class CellIndex {
     return std::span(items_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
   /// Cell of a key, −1 when it holds nothing.
-  [[nodiscard]] std::int32_t find(CellKey key) const;
+  [[nodiscard]] std::int32_t find(CellKey key) const {
+    if (table_.empty()) return -1;
+    if (!dense_) return find_by_hash(key);
+    const Fields f = fields_of(key);
+    return box_.holds(f) ? table_[box_.place(f)] : -1;
+  }
   /// Cell of an item, −1 for items without one.
   [[nodiscard]] std::int32_t cell_of(std::size_t item) const { return cell_of_[item]; }
 
  private:
+  using Fields = std::array<std::uint32_t, 3>;  ///< of a key, as they stand in it
+
+  static Fields fields_of(CellKey key) {
+    constexpr CellKey mask = (CellKey{1} << 21) - 1;
+    return {static_cast<std::uint32_t>(key >> 42), static_cast<std::uint32_t>((key >> 21) & mask), static_cast<std::uint32_t>(key & mask)};
+  }
+
+  /// The smallest box around all cells; its places in the order of their keys.
+  struct Box {
+    Fields low{~0U, ~0U, ~0U}, high{};
+
+    void extend(CellKey key);
+    [[nodiscard]] std::uint64_t extent(std::size_t axis) const { return std::uint64_t{high[axis]} - low[axis] + 1; }
+    /// Number of places; 2^60 or so for boxes that nobody would want a table of.
+    [[nodiscard]] std::uint64_t size() const { return std::min(extent(0) * extent(1), std::uint64_t{1} << 39) * extent(2); }
+    [[nodiscard]] bool holds(const Fields& f) const {
+      return f[0] >= low[0] && f[0] <= high[0] && f[1] >= low[1] && f[1] <= high[1] && f[2] >= low[2] && f[2] <= high[2];
+    }
+    [[nodiscard]] std::size_t place(const Fields& f) const { return ((f[0] - low[0]) * extent(1) + (f[1] - low[1])) * extent(2) + (f[2] - low[2]); }
+    [[nodiscard]] CellKey key(std::size_t place) const {
+      const CellKey z = low[2] + place % extent(2), xy = place / extent(2);
+      return ((low[0] + xy / extent(1)) << 42) | ((low[1] + xy % extent(1)) << 21) | z;
+    }
+  };
+
+  void number_in_box(std::span<const CellKey> keys);
+  void number_by_hash(std::span<const CellKey> keys);
   void grow_table();
   std::int32_t insert(CellKey key);
+  [[nodiscard]] std::int32_t find_by_hash(CellKey key) const;
 
   std::vector<CellKey> keys_;
   std::vector<std::uint32_t> starts_, items_;
   std::vector<std::int32_t> cell_of_;
-  std::vector<std::int32_t> table_;  ///< open addressing; −1 = free
+  std::vector<std::int32_t> table_;  ///< cells by place in the box, or by hash (open addressing); −1 = nothing
   std::size_t mask_ = 0;
+  Box box_;
+  bool dense_ = false;
 };
 
 }  // namespace scenelore::perception
