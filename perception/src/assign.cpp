@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "parallel.hpp"
 #include "slots.hpp"
@@ -30,98 +31,189 @@ Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double st
 /// The slots of all voxels, without their points.
 Slots layout(const VoxelGrid& grid, const Candidates& candidates, const std::vector<bool>& only, std::size_t planes, const Slots* before) {
   Slots slots;
-  slots.first.reserve(grid.count() + 1);
-  const auto add = [&](std::size_t v, std::int32_t region, std::int32_t ruler) {
-    slots.voxel.push_back(static_cast<std::uint32_t>(v));
-    slots.region.push_back(region);
-    slots.ruler.push_back(ruler);
-  };
+  slots.first.resize(grid.count() + 1);
+  std::uint32_t count = 0;
   for (std::size_t v = 0; v < grid.count(); ++v) {
-    slots.first.push_back(static_cast<std::uint32_t>(slots.voxel.size()));
+    slots.first[v] = count;
+    count += only.empty() || only[v] ? candidates.first[v + 1] - candidates.first[v] + 1 : before->first[v + 1] - before->first[v];
+  }
+  slots.first[grid.count()] = count;
+  slots.voxel.resize(count);
+  slots.region.resize(count);
+  slots.ruler.resize(count);
+  slots.moments.resize(count);
+  for (std::size_t v = 0; v < grid.count(); ++v) {
+    std::uint32_t s = slots.first[v];
+    const auto add = [&](std::int32_t region, std::int32_t ruler) {
+      slots.voxel[s] = static_cast<std::uint32_t>(v), slots.region[s] = region, slots.ruler[s] = ruler;
+      ++s;
+    };
     if (only.empty() || only[v]) {
-      for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k) add(v, candidates.regions[k], candidates.regions[k]);
-      add(v, -1, -1);
+      for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k) add(candidates.regions[k], candidates.regions[k]);
+      add(-1, -1);
     } else {
-      for (std::uint32_t s = before->first[v]; s < before->first[v + 1]; ++s) {
-        add(v, before->region[s], before->ruler[s] < 0 ? -1 : static_cast<std::int32_t>(planes) + before->ruler[s]);
+      for (std::uint32_t k = before->first[v]; k < before->first[v + 1]; ++k) {
+        add(before->region[k], before->ruler[k] < 0 ? -1 : static_cast<std::int32_t>(planes) + before->ruler[k]);
       }
     }
   }
-  slots.first.push_back(static_cast<std::uint32_t>(slots.voxel.size()));
-  slots.moments.resize(slots.count());
   return slots;
 }
 
 class Assigner {
  public:
   Assigner(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const std::vector<PlaneFit>& planes, const AssignRule& rule,
-           Slots& slots)
-      : cloud_(cloud), grid_(grid), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), scale_(grid.size) {}
+           Slots& slots, const Slots* before, std::vector<std::uint32_t>& slot_of_point)
+      : cloud_(cloud), grid_(grid), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), before_(before), slot_of_point_(slot_of_point),
+        step_(grid.size / kFixedSteps) {}
 
-  void prepare(int threads) {
-    rulers_.resize(slots_.count());
-    const double step = grid_.size / kFixedSteps;
-    parallel_pieces(slots_.count(), 8192, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) {
-        const std::int32_t r = slots_.region[s];
-        if (r >= 0) rulers_[s] = make_ruler(planes_[r], grid_.corner(slots_.voxel[s]), step, rule_.unit[r], rule_.reach[r]);
-      }
-    });
-  }
-
-  /// Slot of a point of this voxel.
-  std::uint32_t choose(std::uint32_t first, std::uint32_t none, float x, float y, float z) const {
-    std::uint32_t owner = none;
-    float best = 0;
-    for (std::uint32_t s = first; s < none; ++s) {
-      const Ruler& ruler = rulers_[s];
-      const float d = ruler.distance(x, y, z);
-      if (!(d < ruler.reach)) continue;
-      if (owner != none) {
-        if (d >= best) continue;
-        // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
-        if (rule_.larger_first && best < kExplained && parallel(planes_[slots_.region[s]], planes_[slots_.region[owner]])) continue;
-      }
-      best = d, owner = s;
-    }
-    return owner;
-  }
-
-  /// The first slot of a voxel mostly holds most of its points: it is found as what the others leave.
-  void run(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& slot_of_point, std::vector<FixedMoments>& sums,
-           const Slots* before) const {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t v = voxels_.of_point[i];
-      if (v == kNoVoxel) {
-        slot_of_point[i] = kNoVoxel;
-        continue;
-      }
-      const std::uint32_t first = slots_.first[v], none = slots_.first[v + 1] - 1;
-      if (before != nullptr && !rule_.only[v]) {
-        slot_of_point[i] = first + (slot_of_point[i] - before->first[v]);
-        continue;
-      }
-      if (first == none) {
-        slot_of_point[i] = none;
-        continue;
-      }
-      const auto [x, y, z] = scale_.within_voxel(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
-      const std::uint32_t s = choose(first, none, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-      slot_of_point[i] = s;
-      if (s != first) sums[s].add(x, y, z);
+  void run(int threads) {
+    if (voxels_.sorted.first.empty()) {
+      by_points(threads);
+    } else {
+      parallel_pieces(grid_.count(), 2048, threads, [&](std::size_t begin, std::size_t end) { by_voxels(begin, end); });
     }
   }
 
  private:
+  [[nodiscard]] bool stays(std::size_t v) const { return before_ != nullptr && !rule_.only[v]; }
+
+  [[nodiscard]] Ruler ruler_of(std::uint32_t slot, const Eigen::Vector3d& corner) const {
+    const std::int32_t r = slots_.region[slot];
+    return make_ruler(planes_[r], corner, step_, rule_.unit[r], rule_.reach[r]);
+  }
+
+  /// Which of a voxel's slots, the first of which is `first`, has a point; `rulers` are those of all but the last one.
+  [[nodiscard]] std::uint32_t choose(std::span<const Ruler> rulers, std::uint32_t first, float x, float y, float z) const {
+    const auto none = static_cast<std::uint32_t>(rulers.size());
+    std::uint32_t owner = none;
+    float best = 0;
+    for (std::uint32_t k = 0; k < none; ++k) {
+      const float d = rulers[k].distance(x, y, z);
+      if (!(d < rulers[k].reach)) continue;
+      if (owner != none) {
+        if (d >= best) continue;
+        // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
+        if (rule_.larger_first && best < kExplained && parallel(planes_[slots_.region[first + k]], planes_[slots_.region[first + owner]])) continue;
+      }
+      best = d, owner = k;
+    }
+    return owner;
+  }
+
+  void keep_moments(std::size_t v) {
+    for (std::uint32_t k = 0; k < slots_.first[v + 1] - slots_.first[v]; ++k) slots_.moments[slots_.first[v] + k] = before_->moments[before_->first[v] + k];
+  }
+
+  void by_voxels(std::size_t begin, std::size_t end);
+  void by_points(int threads);
+  void take_points(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, std::vector<FixedMoments>& sums) const;
+
   const Cloud& cloud_;
   const VoxelGrid& grid_;
   const VoxelPoints& voxels_;
   const std::vector<PlaneFit>& planes_;
   const AssignRule& rule_;
   Slots& slots_;
-  FixedScale scale_;
-  std::vector<Ruler> rulers_;
+  const Slots* before_;
+  std::vector<std::uint32_t>& slot_of_point_;
+  double step_;  ///< metres
 };
+
+/// Sorted points are taken voxel by voxel: rulers and sums of one voxel are all there is at a time. The first slot of a voxel mostly
+/// holds most of its points: it is found as what the others leave.
+void Assigner::by_voxels(std::size_t begin, std::size_t end) {
+  const PointsByVoxel& sorted = voxels_.sorted;
+  std::vector<Ruler> rulers;
+  std::vector<FixedMoments> sums;
+  for (std::size_t v = begin; v < end; ++v) {
+    const std::uint32_t first = slots_.first[v];
+    if (stays(v)) {
+      keep_moments(v);
+      const std::uint32_t moved = first - before_->first[v];
+      for (std::uint32_t k = sorted.first[v]; moved != 0 && k < sorted.first[v + 1]; ++k) slot_of_point_[sorted.point[k]] += moved;
+      continue;
+    }
+    const Eigen::Vector3d corner = grid_.corner(v);
+    const std::uint32_t none = slots_.first[v + 1] - 1 - first;
+    rulers.clear();
+    for (std::uint32_t k = 0; k < none; ++k) rulers.push_back(ruler_of(first + k, corner));
+    sums.assign(none + 1, FixedMoments());
+    for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) {
+      const auto [x, y, z] = sorted.at[k];
+      const std::uint32_t s = choose(rulers, first, x, y, z);
+      slot_of_point_[sorted.point[k]] = first + s;
+      if (s != 0) sums[s].add(x, y, z);
+    }
+    sums[0] = voxels_.fixed[v];
+    for (std::uint32_t k = 1; k <= none; ++k) {
+      sums[0] -= sums[k];
+      slots_.moments[first + k] = to_moments(sums[k], corner, step_);
+    }
+    slots_.moments[first] = to_moments(sums[0], corner, step_);
+  }
+}
+
+void Assigner::take_points(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, std::vector<FixedMoments>& sums) const {
+  const FixedScale scale(grid_.size);
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t v = voxels_.of_point[i];
+    if (v == kNoVoxel) {
+      slot_of_point_[i] = kNoVoxel;
+      continue;
+    }
+    const std::uint32_t first = slots_.first[v], none = slots_.first[v + 1] - 1;
+    if (stays(v)) {
+      slot_of_point_[i] = first + (slot_of_point_[i] - before_->first[v]);
+      continue;
+    }
+    if (first == none) {
+      slot_of_point_[i] = none;
+      continue;
+    }
+    const auto [x, y, z] = scale.within_voxel(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
+    const std::uint32_t s = first + choose(rulers.subspan(first, none - first), first, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    slot_of_point_[i] = s;
+    if (s != first) sums[s].add(x, y, z);
+  }
+}
+
+/// Points in the order of the cloud, each thread with sums of its own.
+void Assigner::by_points(int threads) {
+  std::vector<Ruler> rulers(slots_.count());
+  parallel_pieces(slots_.count(), 8192, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      if (slots_.region[s] >= 0 && !stays(slots_.voxel[s])) rulers[s] = ruler_of(static_cast<std::uint32_t>(s), grid_.corner(slots_.voxel[s]));
+    }
+  });
+  constexpr std::size_t kSmallest = 1 << 15;
+  const std::size_t pieces = std::clamp<std::size_t>(cloud_.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
+  const std::size_t length = (cloud_.size() + pieces - 1) / pieces;
+  std::vector<std::vector<FixedMoments>> sums(pieces);
+  parallel_pieces(pieces, 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      sums[p].resize(slots_.count());
+      take_points(rulers, std::min(cloud_.size(), p * length), std::min(cloud_.size(), (p + 1) * length), sums[p]);
+    }
+  });
+  parallel_pieces(grid_.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (stays(v)) {
+        keep_moments(v);
+        continue;
+      }
+      const Eigen::Vector3d corner = grid_.corner(v);
+      FixedMoments left = voxels_.fixed[v];
+      for (std::uint32_t s = slots_.first[v] + 1; s < slots_.first[v + 1]; ++s) {
+        FixedMoments own;
+        for (const auto& part : sums) own += part[s];
+        left -= own;
+        slots_.moments[s] = to_moments(own, corner, step_);
+      }
+      slots_.moments[slots_.first[v]] = to_moments(left, corner, step_);
+    }
+  });
+}
 
 }  // namespace
 
@@ -136,36 +228,7 @@ Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
     slots.reach.insert(slots.reach.end(), before->reach.begin(), before->reach.end());
   }
   slot_of_point.resize(cloud.size());
-  Assigner assigner(cloud, grid, voxels, planes, rule, slots);
-  assigner.prepare(threads);
-  constexpr std::size_t kSmallest = 1 << 15;
-  const std::size_t pieces = std::clamp<std::size_t>(cloud.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
-  const std::size_t length = (cloud.size() + pieces - 1) / pieces;
-  std::vector<std::vector<FixedMoments>> sums(pieces);
-  parallel_pieces(pieces, 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      sums[p].resize(slots.count());
-      assigner.run(std::min(cloud.size(), p * length), std::min(cloud.size(), (p + 1) * length), slot_of_point, sums[p], before);
-    }
-  });
-  const double step = grid.size / kFixedSteps;
-  parallel_pieces(grid.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      if (before != nullptr && !rule.only[v]) {
-        for (std::uint32_t k = 0; k < slots.first[v + 1] - slots.first[v]; ++k) slots.moments[slots.first[v] + k] = before->moments[before->first[v] + k];
-        continue;
-      }
-      const Eigen::Vector3d corner = grid.corner(v);
-      FixedMoments left = voxels.fixed[v];
-      for (std::uint32_t s = slots.first[v] + 1; s < slots.first[v + 1]; ++s) {
-        FixedMoments own;
-        for (const auto& part : sums) own += part[s];
-        left -= own;
-        slots.moments[s] = to_moments(own, corner, step);
-      }
-      slots.moments[slots.first[v]] = to_moments(left, corner, step);
-    }
-  });
+  Assigner(cloud, grid, voxels, planes, rule, slots, before, slot_of_point).run(threads);
   return slots;
 }
 

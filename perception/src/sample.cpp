@@ -4,6 +4,27 @@
 #include "point_hash.hpp"
 
 namespace scenelore::perception {
+namespace {
+
+void sort_by_voxel(const VoxelGrid& grid, PointSample& sample) {
+  const std::vector<std::uint32_t>& of_point = sample.voxels.of_point;
+  PointsByVoxel& sorted = sample.voxels.sorted;
+  sorted.first.assign(grid.count() + 1, 0);
+  for (const std::uint32_t v : of_point) ++sorted.first[v + 1];
+  for (std::size_t v = 0; v < grid.count(); ++v) sorted.first[v + 1] += sorted.first[v];
+  std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
+  sorted.point.resize(of_point.size());
+  sorted.at.resize(of_point.size());
+  const FixedScale scale(grid.size);
+  for (std::size_t k = 0; k < of_point.size(); ++k) {
+    const std::uint32_t place = next[of_point[k]]++;
+    const auto [x, y, z] = scale.within_voxel(sample.cloud.x[k], sample.cloud.y[k], sample.cloud.z[k]);
+    sorted.point[place] = static_cast<std::uint32_t>(k);
+    sorted.at[place] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(z)};
+  }
+}
+
+}  // namespace
 
 PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::int64_t most, int threads) {
   // Points with a hash of at most this are taken.
@@ -37,15 +58,15 @@ PointSample take_sample(const Cloud& cloud, const VoxelisedCloud& voxels, std::i
       sample.voxels.of_point[k] = voxels.of_point[i];
     }
   });
+  sort_by_voxel(voxels.grid, sample);
   if (count == cloud.size()) {
     sample.voxels.fixed = voxels.fixed;
     return sample;
   }
   sample.voxels.fixed.resize(voxels.grid.count());
-  const FixedScale scale(voxels.grid.size);
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto [x, y, z] = scale.within_voxel(sample.cloud.x[k], sample.cloud.y[k], sample.cloud.z[k]);
-    sample.voxels.fixed[sample.voxels.of_point[k]].add(x, y, z);
+  const PointsByVoxel& sorted = sample.voxels.sorted;
+  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
+    for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) sample.voxels.fixed[v].add(sorted.at[k][0], sorted.at[k][1], sorted.at[k][2]);
   }
   return sample;
 }

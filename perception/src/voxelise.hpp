@@ -29,10 +29,18 @@ struct FixedScale {
   }
 };
 
+/// Points sorted by voxel, those of one in their own order, with their places in it: what a pass voxel by voxel reads.
+struct PointsByVoxel {
+  std::vector<std::uint32_t> first;                ///< of each voxel, and the number of points at the end; empty = not sorted
+  std::vector<std::uint32_t> point;
+  std::vector<std::array<std::uint16_t, 3>> at;    ///< in the steps of FixedScale
+};
+
 /// What the points of a cloud, or of a part of it, leave in the voxels of a grid.
 struct VoxelPoints {
   std::vector<FixedMoments> fixed;       ///< of each voxel
   std::vector<std::uint32_t> of_point;   ///< voxel; kNoVoxel for invalid points and those a million voxels away
+  PointsByVoxel sorted;                  ///< of a sample, whose points all have voxels
 };
 
 struct VoxelisedCloud : VoxelPoints {
