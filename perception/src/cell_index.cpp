@@ -18,22 +18,20 @@ constexpr std::uint64_t kPlacesPerItem = 8, kFewPlaces = 4096;
 
 }  // namespace
 
-void CellIndex::Box::extend(CellKey key) {
-  const Fields f = fields_of(key);
-  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], f[axis]), high[axis] = std::max(high[axis], f[axis]);
-}
-
 CellIndex::CellIndex(std::span<const CellKey> keys) {
+  Box box;  // here, where the compiler knows that nothing else changes it
   CellKey last = kNoCell;
   for (const CellKey key : keys) {
-    if (key != last && key != kNoCell) box_.extend(last = key);
+    if (key == last || key == kNoCell) continue;
+    box.extend(fields_of(last = key));
   }
   if (last == kNoCell) {
     cell_of_.assign(keys.size(), -1);
     starts_.assign(1, 0);
     return;
   }
-  if (box_.size() <= kPlacesPerItem * keys.size() + kFewPlaces) {
+  box_ = box;
+  if (box.size() <= kPlacesPerItem * keys.size() + kFewPlaces) {
     number_in_box(keys);
   } else {
     number_by_hash(keys);
@@ -48,27 +46,36 @@ CellIndex::CellIndex(std::span<const CellKey> keys) {
 /// Items by place first, then cells in the order of the places, which is that of the keys.
 void CellIndex::number_in_box(std::span<const CellKey> keys) {
   dense_ = true;
-  std::vector<std::uint32_t> held(box_.size(), 0);
+  const Box box = box_;
+  constexpr std::size_t kAtOnce = 8;  // most places are empty
+  std::vector<std::uint32_t> held((box.size() + kAtOnce - 1) / kAtOnce * kAtOnce, 0);
   cell_of_.resize(keys.size());
   CellKey last = kNoCell;
   std::int32_t place = -1;
+  std::size_t cells = 0;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (keys[i] != last) {
       last = keys[i];
-      place = last == kNoCell ? -1 : static_cast<std::int32_t>(box_.place(fields_of(last)));
+      place = last == kNoCell ? -1 : static_cast<std::int32_t>(box.place(fields_of(last)));
     }
     cell_of_[i] = place;
-    if (place >= 0) ++held[static_cast<std::size_t>(place)];
+    if (place >= 0 && held[static_cast<std::size_t>(place)]++ == 0) ++cells;
   }
-  table_.resize(held.size());
+  table_.assign(held.size(), -1);
+  keys_.reserve(cells);
+  starts_.reserve(cells + 1);
   std::uint32_t items = 0;
-  for (std::size_t p = 0; p < held.size(); ++p) {
-    table_[p] = -1;
-    if (held[p] == 0) continue;
-    table_[p] = static_cast<std::int32_t>(keys_.size());
-    keys_.push_back(box_.key(p));
-    starts_.push_back(items);
-    items += held[p];
+  for (std::size_t first = 0; first < held.size(); first += kAtOnce) {
+    std::uint32_t any = 0;
+    for (std::size_t p = first; p < first + kAtOnce; ++p) any |= held[p];
+    if (any == 0) continue;
+    for (std::size_t p = first; p < first + kAtOnce; ++p) {
+      if (held[p] == 0) continue;
+      table_[p] = static_cast<std::int32_t>(keys_.size());
+      keys_.push_back(box.key(p));
+      starts_.push_back(items);
+      items += held[p];
+    }
   }
   starts_.push_back(items);
   for (std::int32_t& cell : cell_of_) {

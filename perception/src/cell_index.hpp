@@ -68,7 +68,9 @@ class CellIndex {
   struct Box {
     Fields low{~0U, ~0U, ~0U}, high{};
 
-    void extend(CellKey key);
+    void extend(const Fields& f) {
+      for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], f[axis]), high[axis] = std::max(high[axis], f[axis]);
+    }
     [[nodiscard]] std::uint64_t extent(std::size_t axis) const { return std::uint64_t{high[axis]} - low[axis] + 1; }
     /// Number of places; 2^60 or so for boxes that nobody would want a table of.
     [[nodiscard]] std::uint64_t size() const { return std::min(extent(0) * extent(1), std::uint64_t{1} << 39) * extent(2); }

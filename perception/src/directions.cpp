@@ -17,22 +17,32 @@ constexpr double kWide = 1.2;  // steps along a cell's edge, so that few cells w
 /// From a place on the face of a cube, −1 to 1, to 0..1.
 double even(double u) { return u >= 0 ? 0.5 * std::sqrt(1 + 3 * u) : 1 - 0.5 * std::sqrt(1 - 3 * u); }
 
-CellKey key_of(const Eigen::Vector3d& direction, int cells) {
+/// Where a direction meets the cube.
+struct Seen {
+  double u = 0, v = 0;  ///< on the face, 0..1
+  int face = -1;        ///< 0 to 5; −1 = it has no direction
+
+  [[nodiscard]] CellKey key(int cells) const { return face < 0 ? kNoCell : cell_key(cell(u, cells), cell(v, cells), face); }
+  [[nodiscard]] static std::int64_t cell(double place, int cells) { return std::min<std::int64_t>(cells - 1, static_cast<std::int64_t>(cells * place)); }
+};
+
+Seen seen(const Eigen::Vector3d& direction) {
   int axis = 0;
-  const double longest = direction.cwiseAbs().maxCoeff(&axis);
-  if (!(longest > 0) || !std::isfinite(longest)) return kNoCell;
-  const auto cell = [&](int other) {
-    return std::min<std::int64_t>(cells - 1, static_cast<std::int64_t>(cells * even(direction[(axis + other) % 3] / longest)));
-  };
-  return cell_key(cell(1), cell(2), 2 * axis + (direction[axis] > 0 ? 1 : 0));
+  double longest = std::abs(direction[0]);
+  for (const int other : {1, 2}) {
+    if (std::abs(direction[other]) > longest) longest = std::abs(direction[other]), axis = other;
+  }
+  if (!(longest > 0) || !std::isfinite(direction.sum())) return {};
+  return {even(direction[(axis + 1) % 3] / longest), even(direction[(axis + 2) % 3] / longest), 2 * axis + (direction[axis] > 0 ? 1 : 0)};
 }
 
-std::vector<CellKey> keys_of(const Cloud& cloud, const std::vector<std::uint32_t>& points, const Eigen::Vector3d& eye, int cells, int threads) {
-  std::vector<CellKey> keys(points.size());
-  parallel_pieces(points.size(), 1 << 14, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) keys[i] = key_of(cloud.offset(points[i]).cast<double>() - eye, cells);
-  });
-  return keys;
+/// Number of coarse cells that hold something.
+std::size_t held_cells(const std::vector<Seen>& all) {
+  std::vector<bool> held(6 * kCoarse * kCoarse, false);
+  for (const Seen& s : all) {
+    if (s.face >= 0) held[static_cast<std::size_t>((s.face * kCoarse + Seen::cell(s.u, kCoarse)) * kCoarse + Seen::cell(s.v, kCoarse))] = true;
+  }
+  return static_cast<std::size_t>(std::count(held.begin(), held.end(), true));
 }
 
 }  // namespace
@@ -40,15 +50,20 @@ std::vector<CellKey> keys_of(const Cloud& cloud, const std::vector<std::uint32_t
 Directions::Directions(const Cloud& cloud, std::vector<std::uint32_t> points, const Eigen::Vector3d& eye, int threads)
     : eye_(eye), points_(std::move(points)) {
   if (points_.empty()) return;
-  const double view = 4 * std::numbers::pi * static_cast<double>(CellIndex(keys_of(cloud, points_, eye, kCoarse, threads)).size()) /
-                      (6.0 * kCoarse * kCoarse);
+  std::vector<Seen> all(points_.size());
+  parallel_pieces(points_.size(), 1 << 14, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) all[i] = seen(cloud.offset(points_[i]).cast<double>() - eye);
+  });
+  const double view = 4 * std::numbers::pi * static_cast<double>(held_cells(all)) / (6.0 * kCoarse * kCoarse);
   step_ = std::sqrt(view / static_cast<double>(points_.size()));
   cells_ = static_cast<int>(std::clamp(std::numbers::pi / 2 / (kWide * step_), 1.0, static_cast<double>(kFinest)));
-  index_ = CellIndex(keys_of(cloud, points_, eye, cells_, threads));
+  std::vector<CellKey> keys(points_.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = all[i].key(cells_);
+  index_ = CellIndex(keys);
 }
 
 void Directions::append(const Eigen::Vector3d& direction, std::vector<std::uint32_t>& found) const {
-  const std::int32_t cell = index_.find(key_of(direction, cells_));
+  const std::int32_t cell = index_.find(seen(direction).key(cells_));
   if (cell < 0) return;
   for (const std::uint32_t item : index_.items(static_cast<std::size_t>(cell))) found.push_back(points_[item]);
 }
