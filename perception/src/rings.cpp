@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <tuple>
 
@@ -23,25 +22,30 @@ std::vector<std::vector<int>> simple_loops(std::vector<std::pair<int, int>> edge
     return static_cast<std::size_t>(e - edges.begin());
   };
   std::vector<std::vector<int>> loops;
+  int last = -1;
+  for (const auto& [from, to] : edges) last = std::max({last, from, to});
+  constexpr std::size_t kNowhere = ~std::size_t{0};
+  std::vector<std::size_t> place(static_cast<std::size_t>(last + 1), kNowhere);  // of each vertex on the path
+  const auto place_of = [&place](int vertex) -> std::size_t& { return place[static_cast<std::size_t>(vertex)]; };
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (used[first]) continue;
     std::vector<int> path{edges[first].first};
-    std::map<int, std::size_t> place{{path.front(), 0}};
+    place_of(path.front()) = 0;
     for (std::size_t e = first;; e = leaving(path.back())) {
       used[e] = true;
       const int vertex = edges[e].second;
-      const auto seen = place.find(vertex);
-      if (seen == place.end()) {
-        place[vertex] = path.size();
+      const std::size_t start = place_of(vertex);
+      if (start == kNowhere) {
+        place_of(vertex) = path.size();
         path.push_back(vertex);
         continue;
       }
-      const std::size_t start = seen->second;
       loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(start), path.end());
-      for (std::size_t i = start + 1; i < path.size(); ++i) place.erase(path[i]);
+      for (std::size_t i = start + 1; i < path.size(); ++i) place_of(path[i]) = kNowhere;
       path.resize(start + 1);
       if (start == 0) break;
     }
+    place_of(path.front()) = kNowhere;
   }
   return loops;
 }
