@@ -54,6 +54,7 @@ double noise_below(const std::vector<Sample>& samples) {
 std::vector<Sample> some_samples(const Cloud& cloud, const Support& support, const std::vector<std::uint32_t>& points) {
   std::vector<Sample> samples;
   const std::size_t step = 1 + points.size() / kMostHeights;
+  samples.reserve(points.size() / step + 1);
   for (std::size_t k = 0; k < points.size(); k += step) samples.push_back(support.sample(cloud, points[k]));
   return samples;
 }
@@ -62,6 +63,7 @@ std::vector<Sample> some_samples(const Cloud& cloud, const Support& support, con
 std::vector<Sample> means_by_square(const std::vector<Sample>& samples) {
   constexpr double kSquare = 0.08, kFewest = 8;
   std::vector<CellKey> keys;
+  keys.reserve(samples.size());
   for (const Sample& s : samples) {
     keys.push_back(cell_key(static_cast<std::int64_t>(std::floor(s.at.x() / kSquare)), static_cast<std::int64_t>(std::floor(s.at.y() / kSquare)), 0));
   }
@@ -80,6 +82,7 @@ std::vector<Sample> means_by_square(const std::vector<Sample>& samples) {
 
 void find_level(Support& support, const std::vector<Sample>& samples) {
   std::vector<double> heights;
+  heights.reserve(samples.size());
   for (const Sample& s : samples) heights.push_back(s.height);
   if (!heights.empty()) support.centroid += main_level(std::move(heights), support.level) * support.normal;
 }

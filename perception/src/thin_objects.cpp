@@ -109,13 +109,16 @@ const std::array<Eigen::Vector2d, Footprint::kDirections> Footprint::kDirection 
 /// Growing takes the tops of all that lies on a table for one plane a little above it. True when these points are such a
 /// layer: nearly all of them over the footprint and no higher than thin things are.
 bool is_layer_on(const Support& support, const Footprint& footprint, const Cloud& cloud, const std::vector<std::uint32_t>& points) {
-  std::size_t over = 0, asked = 0;
   const std::size_t step = 1 + points.size() / 500;
-  for (std::size_t k = 0; k < points.size(); k += step, ++asked) {
+  const auto all = static_cast<double>((points.size() + step - 1) / step);
+  double over = all;
+  for (std::size_t k = 0; k < points.size(); k += step) {
     const Sample s = support.sample(cloud, points[k]);
-    over += s.height > -kLowest && s.height < kHighest && footprint.holds(s.at);
+    if (s.height > -kLowest && s.height < kHighest && footprint.holds(s.at)) continue;
+    over -= 1;
+    if (over <= kLayer * all) return false;  // hardly any plane is a layer, which a few points tell
   }
-  return static_cast<double>(over) > kLayer * static_cast<double>(asked);
+  return over > kLayer * all;
 }
 
 /// Puts the things on one support into regions of their own.
@@ -231,6 +234,7 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
     const std::optional<Support> support = make_support(cloud, plane, points[r], up);
     if (!support) continue;
     std::vector<Sample> samples;
+    samples.reserve(points[r].size());
     for (const std::uint32_t i : points[r]) samples.push_back(support->sample(cloud, i));
     const std::size_t own = samples.size();
     const auto add_free = [&](const std::vector<std::uint32_t>& some) {
