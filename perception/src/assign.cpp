@@ -86,6 +86,7 @@ class Assigner {
   /// Which of a voxel's slots, the first of which is `first`, has a point; `rulers` are those of all but the last one.
   [[nodiscard]] std::uint32_t choose(std::span<const Ruler> rulers, std::uint32_t first, float x, float y, float z) const {
     const auto none = static_cast<std::uint32_t>(rulers.size());
+    if (none == 1) return rulers.front().distance(x, y, z) < rulers.front().reach ? 0 : 1;  // most voxels
     std::uint32_t owner = none;
     float best = 0;
     for (std::uint32_t k = 0; k < none; ++k) {

@@ -8,6 +8,7 @@
 #include "options.hpp"
 #include "pipeline/labelled_cloud.hpp"
 #include "report.hpp"
+#include "scenelore/perception/memory.hpp"
 #include "usage_error.hpp"
 
 namespace scenelore::tools {
@@ -36,6 +37,7 @@ class RunCommand : public Command {
 
   int run() override {
     if (labelled_ && scans_.size() > 1) throw UsageError("--labelled takes one scan at a time");
+    perception::keep_memory();
     const perception::PerceptionOptions perception = perception_.options();
     std::vector<Report> reports;
     int code = kOk;

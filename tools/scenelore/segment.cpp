@@ -8,6 +8,7 @@
 #include "command_list.hpp"
 #include "exit_code.hpp"
 #include "options.hpp"
+#include "scenelore/perception/memory.hpp"
 
 namespace scenelore::tools {
 
@@ -27,6 +28,7 @@ class SegmentCommand : public Command {
   }
 
   int run() override {
+    perception::keep_memory();
     const perception::PerceptionOptions perception = perception_.options();
     kb::KnowledgeBase base = pipeline::open_or_create(kb_, knowledge_);
     nlohmann::ordered_json out = nlohmann::ordered_json::array();

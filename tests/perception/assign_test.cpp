@@ -1,0 +1,81 @@
+// Points sorted by voxel are assigned in a pass of their own, which must do what the pass in the cloud's order does.
+#include <gtest/gtest.h>
+
+#include "planar_scenes.hpp"
+#include "sample.hpp"
+#include "slots.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+using testing::Random;
+
+/// A floor, a wall and a board 3 cm before it, with noise: voxels of one, two and three planes.
+Cloud corner_with_board() {
+  Cloud cloud;
+  Random random(5);
+  const auto add = [&](const Eigen::Vector3d& p) {
+    cloud.x.push_back(static_cast<float>(p.x())), cloud.y.push_back(static_cast<float>(p.y())), cloud.z.push_back(static_cast<float>(p.z()));
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const double a = random.uniform(0, 1), b = random.uniform(0, 1), noise = 0.005 * random.normal();
+    add(i % 3 == 0 ? Eigen::Vector3d(a, b, noise) : i % 3 == 1 ? Eigen::Vector3d(noise, a, b) : Eigen::Vector3d(0.03 + noise, 0.3 * a, 0.3 * b));
+  }
+  return cloud;
+}
+
+PlaneFit plane(const Eigen::Vector3d& normal, double offset, double count) {
+  PlaneFit fit;
+  fit.normal = normal, fit.offset = offset, fit.count = count;
+  return fit;
+}
+
+void expect_same(const Slots& a, const Slots& b) {
+  EXPECT_EQ(a.first, b.first);
+  EXPECT_EQ(a.region, b.region);
+  EXPECT_EQ(a.ruler, b.ruler);
+  ASSERT_EQ(a.moments.size(), b.moments.size());
+  for (std::size_t s = 0; s < a.moments.size(); ++s) {
+    EXPECT_EQ(a.moments[s].n, b.moments[s].n);
+    EXPECT_EQ(a.moments[s].sum, b.moments[s].sum);
+    EXPECT_EQ(a.moments[s].zz, b.moments[s].zz);
+  }
+}
+
+TEST(AssignPoints, GivesSortedPointsTheSameSlots) {
+  const Cloud cloud = corner_with_board();
+  const VoxelisedCloud voxels = voxelise(cloud, 0.05, 1);
+  const PointSample sample = take_sample(cloud, voxels, 1 << 20, 1);
+  ASSERT_EQ(sample.points.size(), cloud.size());
+  ASSERT_FALSE(sample.voxels.sorted.first.empty());
+  const std::vector<PlaneFit> planes{plane(Eigen::Vector3d::UnitZ(), 0, 3000), plane(Eigen::Vector3d::UnitX(), 0, 2000),
+                                     plane(Eigen::Vector3d::UnitX(), 0.03, 1000)};
+  Candidates all;
+  for (std::size_t v = 0; v <= voxels.grid.count(); ++v) all.first.push_back(static_cast<std::uint32_t>(3 * v));
+  for (std::size_t v = 0; v < voxels.grid.count(); ++v) all.regions.insert(all.regions.end(), {0, 1, 2});
+  AssignRule rule;
+  rule.reach = rule.unit = {0.02, 0.02, 0.015};
+  std::vector<std::uint32_t> by_points, by_voxels;
+  Slots a = assign_points(cloud, voxels.grid, voxels, all, planes, rule, 2, by_points);
+  Slots b = assign_points(sample.cloud, voxels.grid, sample.voxels, all, planes, rule, 2, by_voxels);
+  EXPECT_EQ(by_points, by_voxels);
+  expect_same(a, b);
+
+  // Some voxels anew, with one candidate or none.
+  rule.larger_first = false;
+  rule.only.assign(voxels.grid.count(), false);
+  Candidates few;
+  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
+    few.first.push_back(static_cast<std::uint32_t>(few.regions.size()));
+    rule.only[v] = v % 3 != 0;
+    if (v % 3 == 1) few.regions.push_back(static_cast<std::int32_t>(v % 2));
+  }
+  few.first.push_back(static_cast<std::uint32_t>(few.regions.size()));
+  a = assign_points(cloud, voxels.grid, voxels, few, planes, rule, 2, by_points, &a);
+  b = assign_points(sample.cloud, voxels.grid, sample.voxels, few, planes, rule, 2, by_voxels, &b);
+  EXPECT_EQ(by_points, by_voxels);
+  expect_same(a, b);
+}
+
+}  // namespace
+}  // namespace scenelore::perception
