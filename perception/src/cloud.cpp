@@ -109,6 +109,7 @@ Cloud to_cloud(const RowSource& rows, const std::string& source_name, int thread
   const bool alike = axes[1]->type == type && axes[2]->type == type;
   constexpr std::size_t kPiece = 1 << 18;
   std::vector<std::size_t> invalid(table.rows / kPiece + 1, 0);
+  const bool read_again = table.find("vp_x") != nullptr;  // by sensors_of(), which lets go in its turn
   parallel_pieces(table.rows, kPiece, threads, [&](std::size_t begin, std::size_t end) {
     // A single thread is given all rows at once; in pieces the pages of a file can be let go on the way.
     for (std::size_t first = begin; first < end; first += kPiece) {
@@ -119,7 +120,7 @@ Cloud to_cloud(const RowSource& rows, const std::string& source_name, int thread
         invalid[first / kPiece] = take_offsets(
             first, last, [&](std::size_t row, std::size_t axis) { return value_at(rows, *axes[axis], row); }, cloud);
       }
-      if (rows.file != nullptr) rows.file->let_go(rows.bytes + first * table.stride, rows.bytes + last * table.stride);
+      if (rows.file != nullptr && !read_again) rows.file->let_go(rows.bytes + first * table.stride, rows.bytes + last * table.stride);
     }
   });
   cloud.invalid = std::accumulate(invalid.begin(), invalid.end(), std::size_t{0});

@@ -35,11 +35,16 @@ std::optional<Axes> sensor_columns(const PointTable& table, const std::string& s
 /// The sensor positions of rows, read one after another.
 class SensorRows {
  public:
-  SensorRows(const RowSource& rows, const Axes& axes, const std::string& source_name) : rows_(rows), axes_(axes), name_(source_name) {}
+  SensorRows(const RowSource& rows, const Axes& axes, const std::string& source_name) : rows_(rows), axes_(axes), name_(source_name) {
+    const auto size = [&](std::size_t axis) { return size_of(axes[axis]->type); };
+    const bool in_a_row = axes[1]->offset == axes[0]->offset + size(0) && axes[2]->offset == axes[1]->offset + size(1);
+    if (in_a_row) together_ = size(0) + size(1) + size(2);
+  }
 
   /// As the row before, bit by bit. Requires: row > 0.
   [[nodiscard]] bool repeats(std::size_t row) const {
     const std::byte* const at = rows_.bytes + row * rows_.table.stride;
+    if (together_ > 0) return std::memcmp(at + axes_[0]->offset, at - rows_.table.stride + axes_[0]->offset, together_) == 0;
     return std::all_of(axes_.begin(), axes_.end(), [&](const Column* c) {
       return std::memcmp(at + c->offset, at - rows_.table.stride + c->offset, size_of(c->type)) == 0;
     });
@@ -59,6 +64,7 @@ class SensorRows {
   const RowSource& rows_;
   const Axes& axes_;
   const std::string& name_;
+  std::size_t together_ = 0;  ///< bytes of all three columns where they stand side by side, else 0
 };
 
 }  // namespace
