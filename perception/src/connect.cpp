@@ -1,6 +1,7 @@
 #include "connect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -91,6 +92,11 @@ class Connector {
   /// each other, some of these do.
   void choose_speakers() {
     speakers_.resize(cells_.size());
+    std::array<Eigen::Vector3f, 8> outwards;
+    for (std::size_t direction = 0; direction < outwards.size(); ++direction) {
+      const double angle = static_cast<double>(direction) * std::numbers::pi / 4;
+      outwards[direction] = (std::cos(angle) * axes_.col(1) + std::sin(angle) * axes_.col(2)).cast<float>();
+    }
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       const auto items = cells_.items(c);
       std::vector<std::uint32_t>& chosen = speakers_[c];
@@ -100,11 +106,15 @@ class Connector {
       }
       const std::size_t between = most_ > 16 ? most_ - 8 : most_ / 2;
       for (std::size_t k = 0; k < between; ++k) chosen.push_back(items[k * items.size() / between]);
-      for (int direction = 0; direction < 8 && chosen.size() < most_; ++direction) {
-        const double angle = direction * std::numbers::pi / 4;
-        const Eigen::Vector3f along = (std::cos(angle) * axes_.col(1) + std::sin(angle) * axes_.col(2)).cast<float>();
-        const auto out = [&](std::uint32_t k) { return along.dot(cloud_.offset(points_[k])); };
-        chosen.push_back(*std::max_element(items.begin(), items.end(), [&](auto a, auto b) { return out(a) < out(b); }));
+      for (std::size_t direction = 0; direction < outwards.size() && chosen.size() < most_; ++direction) {
+        const auto out = [&](std::uint32_t k) { return outwards[direction].dot(cloud_.offset(points_[k])); };
+        std::uint32_t furthest = items.front();
+        float most = out(furthest);
+        for (const std::uint32_t k : items.subspan(1)) {
+          const float here = out(k);
+          if (most < here) most = here, furthest = k;
+        }
+        chosen.push_back(furthest);
       }
     }
   }

@@ -43,6 +43,7 @@ bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const P
   if (area > kLargePlane) return false;
   const double cell = std::max(0.03, 2 * std::sqrt(area / static_cast<double>(points.size())));
   std::vector<CellKey> keys;
+  keys.reserve(points.size());
   for (const std::uint32_t i : points) {
     const Eigen::Vector3d d = (plane.axes.transpose() * (cloud.offset(i).cast<double>() - plane.centroid)) / cell;
     keys.push_back(cell_key(static_cast<std::int64_t>(std::floor(d[1])), static_cast<std::int64_t>(std::floor(d[2])), 0));

@@ -95,13 +95,17 @@ std::vector<std::vector<std::uint32_t>> connected_slots(const VoxelGrid& grid, c
   std::size_t parts = members.size();
   for (std::size_t k = 0; k < members.size(); ++k) {
     const std::uint32_t v = slots.voxel[members[k]];
+    std::uint32_t own = sets.root(static_cast<std::uint32_t>(k));
     for (std::size_t d = kSelf; d < kNeighbours; ++d) {
       const std::int32_t n = grid.neighbours[v][d];
       if (n < 0) continue;
       for (std::uint32_t s = slots.first[n]; s < slots.first[n + 1]; ++s) {
         if (slots.region[s] != region || slots.moments[s].n <= 0) continue;
-        const std::uint32_t a = sets.root(static_cast<std::uint32_t>(k)), b = sets.root(place_of_slot[s]);
-        if (a != b) sets.join(a, b), --parts;
+        const std::uint32_t other = sets.root(place_of_slot[s]);
+        if (other == own) continue;
+        sets.join(own, other);
+        own = std::min(own, other);
+        --parts;
       }
     }
   }
