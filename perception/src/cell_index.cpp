@@ -30,6 +30,7 @@ CellIndex::CellIndex(std::span<const CellKey> keys) {
     starts_.assign(1, 0);
     return;
   }
+  box.close();
   box_ = box;
   if (box.size() <= kPlacesPerItem * keys.size() + kFewPlaces) {
     number_in_box(keys);

@@ -67,20 +67,26 @@ class CellIndex {
   /// The smallest box around all cells; its places in the order of their keys.
   struct Box {
     Fields low{~0U, ~0U, ~0U}, high{};
+    std::array<std::uint64_t, 3> extent{};                  ///< with these, once all cells are in it:
+    std::uint64_t step_x = 0, step_y = 0, first_place = 0;  ///< place = step_x · x + step_y · y + z − first_place
 
     void extend(const Fields& f) {
       for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], f[axis]), high[axis] = std::max(high[axis], f[axis]);
     }
-    [[nodiscard]] std::uint64_t extent(std::size_t axis) const { return std::uint64_t{high[axis]} - low[axis] + 1; }
-    /// Number of places; 2^60 or so for boxes that nobody would want a table of.
-    [[nodiscard]] std::uint64_t size() const { return std::min(extent(0) * extent(1), std::uint64_t{1} << 39) * extent(2); }
-    [[nodiscard]] bool holds(const Fields& f) const {
-      return f[0] >= low[0] && f[0] <= high[0] && f[1] >= low[1] && f[1] <= high[1] && f[2] >= low[2] && f[2] <= high[2];
+    void close() {
+      for (std::size_t axis = 0; axis < 3; ++axis) extent[axis] = std::uint64_t{high[axis]} - low[axis] + 1;
+      step_y = extent[2], step_x = extent[1] * extent[2];
+      first_place = step_x * low[0] + step_y * low[1] + low[2];
     }
-    [[nodiscard]] std::size_t place(const Fields& f) const { return ((f[0] - low[0]) * extent(1) + (f[1] - low[1])) * extent(2) + (f[2] - low[2]); }
+    /// Number of places; 2^60 or so for boxes that nobody would want a table of.
+    [[nodiscard]] std::uint64_t size() const { return std::min(extent[0] * extent[1], std::uint64_t{1} << 39) * extent[2]; }
+    [[nodiscard]] bool holds(const Fields& f) const {
+      return f[0] - low[0] < extent[0] && f[1] - low[1] < extent[1] && f[2] - low[2] < extent[2];  // below `low` wraps around
+    }
+    [[nodiscard]] std::size_t place(const Fields& f) const { return step_x * f[0] + step_y * f[1] + f[2] - first_place; }
     [[nodiscard]] CellKey key(std::size_t place) const {
-      const CellKey z = low[2] + place % extent(2), xy = place / extent(2);
-      return ((low[0] + xy / extent(1)) << 42) | ((low[1] + xy % extent(1)) << 21) | z;
+      const CellKey z = low[2] + place % extent[2], xy = place / extent[2];
+      return ((low[0] + xy / extent[1]) << 42) | ((low[1] + xy % extent[1]) << 21) | z;
     }
   };
 

@@ -165,6 +165,7 @@ void Extractor::extract(const std::vector<std::size_t>& patch, double fewest_poi
 
 double fitting_edge(const std::vector<Sample>& samples) {
   std::vector<CellKey> keys;
+  keys.reserve(samples.size());
   for (const Sample& s : samples) keys.push_back(key_at(s.at, kCoarsest));
   const CellIndex cells(keys);
   std::vector<std::size_t> counts;
@@ -179,6 +180,7 @@ HeightMap make_height_map(const std::vector<Sample>& samples, double edge, doubl
   HeightMap map;
   map.edge = edge;
   std::vector<CellKey> keys;
+  keys.reserve(samples.size());
   for (const Sample& s : samples) keys.push_back(key_at(s.at, edge));
   map.cells = CellIndex(keys);
   map.cell.resize(map.cells.size());

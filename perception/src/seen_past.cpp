@@ -39,6 +39,7 @@ Eigen::Vector2d middle_of(const Eigen::Vector2i& cell, double edge) { return (ce
 
 PlaneView view_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points, double edge) {
   std::vector<CellKey> keys;
+  keys.reserve(points.size());
   for (const std::uint32_t i : points) {
     const Eigen::Array2d c = cell_at(plane, edge, cloud.offset(i).cast<double>());
     keys.push_back(cell_key(static_cast<std::int64_t>(c.x()), static_cast<std::int64_t>(c.y()), 0));
@@ -51,6 +52,7 @@ PlaneView view_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<s
     view.held.push_back(middle_of({static_cast<int>(at.x), static_cast<int>(at.y)}, edge));
     view.points.push_back(static_cast<int>(index.items(c).size()));
   }
+  view.cell_of.reserve(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) view.cell_of.push_back(static_cast<std::uint32_t>(index.cell_of(k)));
   return view;
 }
