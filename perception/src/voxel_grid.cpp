@@ -39,13 +39,11 @@ void find_neighbours(VoxelGrid& grid, std::size_t block) {
   for (std::size_t v = grid.block_start[block]; v < grid.block_start[block + 1]; ++v) {
     const VoxelPlace p = grid.places[v];
     const int x = static_cast<int>(p.x % kEdge), y = static_cast<int>(p.y % kEdge), z = static_cast<int>(p.z % kEdge);
-    std::size_t k = 0;
+    std::int32_t* next = grid.neighbours[v].data();
     for (int dx = 0; dx < 3; ++dx) {
-      for (int dy = 0; dy < 3; ++dy) {
-        for (int dz = 0; dz < 3; ++dz, ++k) {
-          const std::uint32_t n = around[static_cast<std::size_t>(((x + dx) * kPadded + y + dy) * kPadded + z + dz)];
-          grid.neighbours[v][k] = static_cast<std::int32_t>(n);  // kNoVoxel becomes −1
-        }
+      for (int dy = 0; dy < 3; ++dy, next += 3) {
+        const std::uint32_t* const row = &around[static_cast<std::size_t>(((x + dx) * kPadded + y + dy) * kPadded + z)];
+        for (int dz = 0; dz < 3; ++dz) next[dz] = static_cast<std::int32_t>(row[dz]);  // kNoVoxel becomes −1
       }
     }
   }
@@ -87,11 +85,15 @@ Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int t
   result.parent.assign(fine.count(), kNoVoxel);
   BlockTable table;
   std::uint32_t voxels = 0;
+  std::uint64_t last_key = ~std::uint64_t{0};
+  BlockTable::Cells* cells = nullptr;  // of the last block: voxels come block after block
   for (std::size_t v = 0; v < fine.count(); ++v) {
     if (moments[v].n <= 0) continue;
     const auto half = [](std::uint32_t c) { return (c + kPlaceOrigin) / 2; };  // coordinate 0 stays where it is
     const VoxelPlace p{half(fine.places[v].x), half(fine.places[v].y), half(fine.places[v].z)};
-    std::uint32_t& cell = table.cells(table.insert(BlockTable::block_key(p)))[BlockTable::cell(p)];
+    const std::uint64_t key = BlockTable::block_key(p);
+    if (key != last_key) cells = &table.cells(table.insert(last_key = key));
+    std::uint32_t& cell = (*cells)[BlockTable::cell(p)];
     if (cell == kNoVoxel) cell = voxels++;
     result.parent[v] = cell;
   }
