@@ -157,7 +157,8 @@ void renumber(const PlaneView& view, const Pieces& pieces, const std::vector<std
 
 void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions) {
   if (!cloud.sensors.known()) return;
-  const auto points = points_of_regions(regions.of_point, regions.planes.size());
+  const std::size_t before = regions.planes.size();
+  const auto points = points_of_regions(regions.of_point, before);
   for (std::size_t r = 0; r < points.size(); ++r) {
     const PlaneFit plane = regions.planes[r];
     const auto count = static_cast<double>(points[r].size());
@@ -170,7 +171,7 @@ void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions) {
     if (view.empty.empty()) continue;
     renumber(view, pieces, parts_of(Gap(view, pieces), pieces, limits.min_points), points[r], regions);
   }
-  refit(cloud, regions);
+  if (regions.planes.size() > before) refit(cloud, regions);
 }
 
 }  // namespace scenelore::perception

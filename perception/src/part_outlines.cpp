@@ -30,6 +30,7 @@ std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFi
 }  // namespace
 
 void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regions) {
+  const std::size_t before = regions.planes.size();
   const auto points = points_of_regions(regions.of_point, regions.planes.size());
   for (std::size_t r = 0; r < points.size(); ++r) {
     const PlaneFit plane = regions.planes[r];
@@ -46,7 +47,7 @@ void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regio
     }
     for (std::size_t k = 0; k < points[r].size(); ++k) regions.of_point[points[r][k]] = number[view.cell_of[k]];
   }
-  refit(cloud, regions);
+  if (regions.planes.size() > before) refit(cloud, regions);
 }
 
 }  // namespace scenelore::perception
