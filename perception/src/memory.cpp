@@ -17,6 +17,7 @@ void keep_memory() {
   ::mallopt(M_MMAP_MAX, 0);        // large blocks come from the heap, where they can be used again
   ::mallopt(M_TRIM_THRESHOLD, INT_MAX);
   ::mallopt(M_TOP_PAD, kStep);
+  ::mallopt(M_ARENA_MAX, 1);       // threads share it: they live for one step each
   // The heap is made as large as clouds of some ten million points need, and marked while nothing of it has been touched: addresses
   // alone cost nothing.
   constexpr std::uintptr_t kReserve = std::uintptr_t{1} << 30, kHugePage = std::uintptr_t{2} << 20;

@@ -89,7 +89,11 @@ std::vector<View> views_of(const Cloud& cloud) {
   const std::size_t positions = cloud.sensors.positions().size();
   const auto position_of = [&](std::size_t i) { return cloud.valid(i) ? cloud.sensors.of_point(i) : positions; };
   std::vector<std::size_t> counts(positions + 1, 0), order(positions);
-  for (std::size_t i = 0; i < cloud.size(); ++i) ++counts[position_of(i)];
+  if (cloud.sensors.single()) {
+    counts[0] = cloud.size() - cloud.invalid;
+  } else {
+    for (std::size_t i = 0; i < cloud.size(); ++i) ++counts[position_of(i)];
+  }
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
   order.resize(std::min(order.size(), kMostViews));
@@ -102,10 +106,11 @@ std::vector<View> views_of(const Cloud& cloud) {
     limit[position] = static_cast<std::uint32_t>(counts[position] > kMostPoints ? all * kMostPoints / counts[position] : all);
     number[position] = views.size();
     views.push_back({cloud.sensors.positions()[position] - cloud.origin, {}});
+    views.back().points.reserve(std::min(counts[position], kMostPoints + kMostPoints / 50));
   }
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const std::size_t position = position_of(i);
-    if (point_hash(cloud.x[i], cloud.y[i], cloud.z[i]) < limit[position]) views[number[position]].points.push_back(static_cast<std::uint32_t>(i));
+    if (limit[position] > 0 && point_hash(cloud.x[i], cloud.y[i], cloud.z[i]) < limit[position]) views[number[position]].points.push_back(static_cast<std::uint32_t>(i));
   }
   return views;
 }

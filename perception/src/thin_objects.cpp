@@ -81,27 +81,35 @@ class Footprint {
   explicit Footprint(const std::vector<Sample>& samples) {
     extent_.fill(-std::numeric_limits<double>::infinity());
     for (const Sample& s : samples) {
-      for (std::size_t k = 0; k < kDirections; ++k) extent_[k] = std::max(extent_[k], kDirection[k].dot(s.at));
+      const double x = s.at.x(), y = s.at.y();
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        const double out = kDirection.x[k] * x + kDirection.y[k] * y;
+        extent_[k] = extent_[k] < out ? out : extent_[k];
+      }
     }
   }
   [[nodiscard]] bool holds(const Eigen::Vector2d& p) const {
     for (std::size_t k = 0; k < kDirections; ++k) {
-      if (kDirection[k].dot(p) > extent_[k]) return false;
+      if (kDirection.x[k] * p.x() + kDirection.y[k] * p.y() > extent_[k]) return false;
     }
     return true;
   }
 
  private:
   static constexpr std::size_t kDirections = 16;
-  static const std::array<Eigen::Vector2d, kDirections> kDirection;
-  std::array<double, kDirections> extent_;
+  using Numbers = std::array<double, kDirections>;
+  struct Directions {
+    Numbers x, y;
+  };
+  static const Directions kDirection;
+  Numbers extent_;
 };
 
-const std::array<Eigen::Vector2d, Footprint::kDirections> Footprint::kDirection = [] {
-  std::array<Eigen::Vector2d, kDirections> directions;
+const Footprint::Directions Footprint::kDirection = [] {
+  Directions directions;
   for (std::size_t k = 0; k < kDirections; ++k) {
     const double angle = static_cast<double>(k) * 2 * std::numbers::pi / kDirections;
-    directions[k] = {std::cos(angle), std::sin(angle)};
+    directions.x[k] = std::cos(angle), directions.y[k] = std::sin(angle);
   }
   return directions;
 }();
