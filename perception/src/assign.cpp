@@ -86,7 +86,6 @@ class Assigner {
   /// Which of a voxel's slots, the first of which is `first`, has a point; `rulers` are those of all but the last one.
   [[nodiscard]] std::uint32_t choose(std::span<const Ruler> rulers, std::uint32_t first, float x, float y, float z) const {
     const auto none = static_cast<std::uint32_t>(rulers.size());
-    if (none == 1) return rulers.front().distance(x, y, z) < rulers.front().reach ? 0 : 1;  // most voxels
     std::uint32_t owner = none;
     float best = 0;
     for (std::uint32_t k = 0; k < none; ++k) {
@@ -139,6 +138,21 @@ void Assigner::by_voxels(std::size_t begin, std::size_t end) {
     const std::uint32_t none = slots_.first[v + 1] - 1 - first;
     rulers.clear();
     for (std::uint32_t k = 0; k < none; ++k) rulers.push_back(ruler_of(first + k, corner));
+    if (none == 1) {  // most voxels
+      const Ruler ruler = rulers.front();
+      FixedMoments left;
+      for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) {
+        const auto [x, y, z] = sorted.at[k];
+        const bool held = ruler.distance(x, y, z) < ruler.reach;
+        slot_of_point_[sorted.point[k]] = held ? first : first + 1;
+        if (!held) left.add(x, y, z);
+      }
+      slots_.moments[first + 1] = to_moments(left, corner, step_);
+      FixedMoments own = voxels_.fixed[v];
+      own -= left;
+      slots_.moments[first] = to_moments(own, corner, step_);
+      continue;
+    }
     sums.assign(none + 1, FixedMoments());
     for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) {
       const auto [x, y, z] = sorted.at[k];
