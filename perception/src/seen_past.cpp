@@ -66,15 +66,23 @@ void look_past(const Cloud& cloud, const PlaneFit& plane, double behind, PlaneVi
   const auto index = [&](const Eigen::Array2i& c) { return static_cast<std::size_t>(c.y()) * static_cast<std::size_t>(size.x()) + static_cast<std::size_t>(c.x()); };
   std::vector<int> own(static_cast<std::size_t>(size.prod()), 0), passed = own;
   for (std::size_t c = 0; c < view.held.size(); ++c) own[index((view.held[c].array() / view.edge).floor().cast<int>() - first)] = view.points[c];
+  const Eigen::Vector3d across = plane.axes.col(1), along = plane.axes.col(2);
+  const Eigen::Array2d begin = first.cast<double>(), end = (first + size).cast<double>();
+  const bool single = cloud.sensors.single();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = cloud.offset(i).cast<double>();
     const double over = plane.distance(p);
     if (!(std::abs(over) > behind)) continue;  // nor is a point without coordinates
-    const Eye& eye = eyes[cloud.sensors.of_point(i)];
+    const Eye& eye = eyes[single ? 0 : cloud.sensors.of_point(i)];
     const double d = eye.away * over;
     if (!(d > behind)) continue;
-    const Eigen::Array2d c = cell_at(plane, view.edge, eye.at + eye.before / (eye.before + d) * (p - eye.at)) - first.cast<double>();
-    if ((c >= 0).all() && (c < size.cast<double>()).all()) ++passed[index(c.cast<int>())];
+    // The cell of cell_at(), rounded only where it lies among the held ones: few rays cross there.
+    const Eigen::Vector3d crossing = eye.at + eye.before / (eye.before + d) * (p - eye.at) - plane.centroid;
+    const double column = across.dot(crossing) / view.edge;
+    if (!(column >= begin.x() && column < end.x())) continue;
+    const double row = along.dot(crossing) / view.edge;
+    if (!(row >= begin.y() && row < end.y())) continue;
+    ++passed[index(Eigen::Array2d(std::floor(column), std::floor(row)).cast<int>() - first)];
   }
   for (std::size_t k = 0; k < passed.size(); ++k) {
     const Eigen::Array2i c(static_cast<int>(k % static_cast<std::size_t>(size.x())), static_cast<int>(k / static_cast<std::size_t>(size.x())));
