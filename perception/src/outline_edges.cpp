@@ -108,8 +108,9 @@ std::vector<View> views_of(const Cloud& cloud) {
     views.push_back({cloud.sensors.positions()[position] - cloud.origin, {}});
     views.back().points.reserve(std::min(counts[position], kMostPoints + kMostPoints / 50));
   }
+  const bool single = cloud.sensors.single();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::size_t position = position_of(i);
+    const std::size_t position = single && cloud.valid(i) ? 0 : position_of(i);
     if (limit[position] > 0 && point_hash(cloud.x[i], cloud.y[i], cloud.z[i]) < limit[position]) views[number[position]].points.push_back(static_cast<std::uint32_t>(i));
   }
   return views;
