@@ -1,8 +1,8 @@
 #include "cell_index.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace scenelore::perception {
 namespace {
@@ -37,11 +37,6 @@ CellIndex::CellIndex(std::span<const CellKey> keys) {
   } else {
     number_by_hash(keys);
   }
-  items_.resize(starts_.back());
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
-    if (cell_of_[i] >= 0) items_[next[static_cast<std::size_t>(cell_of_[i])]++] = static_cast<std::uint32_t>(i);
-  }
 }
 
 /// Items by place first, then cells in the order of the places, which is that of the keys.
@@ -63,24 +58,29 @@ void CellIndex::number_in_box(std::span<const CellKey> keys) {
     if (place >= 0 && held[static_cast<std::size_t>(place)]++ == 0) ++cells;
   }
   table_.assign(held.size(), -1);
-  keys_.reserve(cells);
-  starts_.reserve(cells + 1);
+  keys_.resize(cells);
+  starts_.resize(cells + 1);
   std::uint32_t items = 0;
+  std::size_t cell = 0;
   for (std::size_t first = 0; first < held.size(); first += kAtOnce) {
     std::uint32_t any = 0;
     for (std::size_t p = first; p < first + kAtOnce; ++p) any |= held[p];
     if (any == 0) continue;
     for (std::size_t p = first; p < first + kAtOnce; ++p) {
       if (held[p] == 0) continue;
-      table_[p] = static_cast<std::int32_t>(keys_.size());
-      keys_.push_back(box.key(p));
-      starts_.push_back(items);
-      items += held[p];
+      table_[p] = static_cast<std::int32_t>(cell);
+      starts_[cell++] = items;
+      items += std::exchange(held[p], items);  // from here on the place of the cell's next item
     }
   }
-  starts_.push_back(items);
-  for (std::int32_t& cell : cell_of_) {
-    if (cell >= 0) cell = table_[static_cast<std::size_t>(cell)];
+  starts_[cell] = items;
+  items_.resize(items);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (cell_of_[i] < 0) continue;
+    const auto p = static_cast<std::size_t>(cell_of_[i]);
+    cell_of_[i] = table_[p];
+    keys_[static_cast<std::size_t>(cell_of_[i])] = keys[i];
+    items_[held[p]++] = static_cast<std::uint32_t>(i);
   }
 }
 
@@ -138,6 +138,11 @@ void CellIndex::number_by_hash(std::span<const CellKey> keys) {
     ++starts_[static_cast<std::size_t>(c) + 1];
   }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  items_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+    if (cell_of_[i] >= 0) items_[next[static_cast<std::size_t>(cell_of_[i])]++] = static_cast<std::uint32_t>(i);
+  }
 }
 
 std::int32_t CellIndex::find_by_hash(CellKey key) const {

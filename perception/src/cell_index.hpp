@@ -84,10 +84,6 @@ class CellIndex {
       return f[0] - low[0] < extent[0] && f[1] - low[1] < extent[1] && f[2] - low[2] < extent[2];  // below `low` wraps around
     }
     [[nodiscard]] std::size_t place(const Fields& f) const { return step_x * f[0] + step_y * f[1] + f[2] - first_place; }
-    [[nodiscard]] CellKey key(std::size_t place) const {
-      const CellKey z = low[2] + place % extent[2], xy = place / extent[2];
-      return ((low[0] + xy / extent[1]) << 42) | ((low[1] + xy % extent[1]) << 21) | z;
-    }
   };
 
   void number_in_box(std::span<const CellKey> keys);
