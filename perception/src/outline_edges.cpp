@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "directions.hpp"
@@ -17,20 +18,25 @@ constexpr double kBeyondSteps = 3;     // of the sensor, at least: cells beside 
 constexpr double kThick = 0.04;        // metres, half: thicker than a keyboard over its desk, and a board's edge
 constexpr double kDeviations = 3;      // of the plane's own points, at least
 constexpr double kEnough = 0.25;       // of an outline must have been looked at
+constexpr double kAround = 0.25;       // metres from an outline to what lies around its edge, seen from where both are visible
+constexpr double kTurn = 0.5;          // two planes that turn into one another do so by 60 to 120 degrees
+constexpr double kUprightEdge = 0.9;   // within 26 degrees
+constexpr double kShortestTurn = 0.3;  // metres of outline
 constexpr double kUpper = 0.5;         // the upper edge faces up within 60 degrees
 constexpr double kShortestTop = 0.1;   // metres
 constexpr std::size_t kMostViews = 16;
 constexpr std::size_t kMostPoints = 250'000;  // of a view; with that of a laser scanner they are 0.3 degrees apart
 
 /// What was measured beyond a place of an outline. Of several poses the one that saw most decides: what hid the rest from
-/// one hides nothing from the other.
-enum class Seen : std::uint8_t { nothing, something_before, same_surface, past };
+/// one hides nothing from the other, and a ray goes past an edge whose other side is not seen.
+enum class Seen : std::uint8_t { nothing, something_before, same_surface, past, around_the_edge };
 
 struct Place {
   Eigen::Vector3d at;    // on the outline, in the cloud's offsets
   Eigen::Vector3d out;   // unit, in the plane
   double length = 0;     // metres of outline that it stands for
   Seen seen = Seen::nothing;
+  std::int32_t turn = -1;  // the plane around the edge
 };
 
 std::vector<Place> places_of(const Plane& plane, const Eigen::Vector3d& origin) {
@@ -42,7 +48,7 @@ std::vector<Place> places_of(const Plane& plane, const Eigen::Vector3d& origin) 
     if (!(length > 0)) continue;
     const Eigen::Vector3d out = along.cross(plane.normal).normalized();  // the ring runs counter-clockwise
     const int parts = std::max(1, static_cast<int>(std::lround(length / kApart)));
-    for (int part = 0; part < parts; ++part) places.push_back({from + (part + 0.5) / parts * along, out, length / parts, Seen::nothing});
+    for (int part = 0; part < parts; ++part) places.push_back({from + (part + 0.5) / parts * along, out, length / parts, Seen::nothing, -1});
   }
   return places;
 }
@@ -52,29 +58,64 @@ struct Facing {
   Eigen::Vector3d normal, centroid;
   double thick = 0;
 
+  Facing(const Plane& plane, const Eigen::Vector3d& origin, const Eigen::Vector3d& eye)
+      : normal(plane.normal), centroid(plane.centroid - origin), thick(std::max(kThick, kDeviations * plane.rmse)) {
+    if (over(eye) < 0) normal = -normal;
+  }
   [[nodiscard]] double over(const Eigen::Vector3d& p) const { return normal.dot(p - centroid); }
 };
 
-Seen judge(const Cloud& cloud, const std::vector<std::uint32_t>& measured, const Facing& plane) {
-  int before = 0, same = 0, past = 0;
-  for (const std::uint32_t i : measured) {
-    const double over = plane.over(cloud.offset(i).cast<double>());
-    ++(over > plane.thick ? before : over < -plane.thick ? past : same);
+/// The planes of a scan from one position of the sensor.
+struct Sight {
+  const Cloud& cloud;
+  Eigen::Vector3d up;  // in the scan's frame
+  std::span<const std::int32_t> plane_of_point;
+  const std::vector<Plane>& planes;
+  const Eigen::Vector3d& eye;
+
+  [[nodiscard]] Facing facing(std::size_t plane) const { return {planes[plane], cloud.origin, eye}; }
+
+  /// Whether `plane` turns into `other` at a place of its outline: the other one starts there and leads back from an edge that
+  /// points at the sensor, so that each lies behind the other.
+  [[nodiscard]] bool turns(const Facing& plane, std::int32_t other, const Eigen::Vector3d& at) const {
+    const Facing around = facing(static_cast<std::size_t>(other));
+    if (std::abs(around.over(at)) > around.thick || std::abs(around.normal.dot(plane.normal)) > kTurn) return false;
+    if (around.over(plane.centroid) > 0 || plane.over(around.centroid) > 0) return false;
+    return std::abs(around.normal.cross(plane.normal).normalized().dot(up)) > kUprightEdge;
   }
-  if (before + same + past == 0) return Seen::nothing;
-  if (past >= std::max(same, before)) return Seen::past;
-  return same >= before ? Seen::same_surface : Seen::something_before;
+
+  /// Sets what was seen beyond a place, where this position tells more than those before.
+  void judge(const std::vector<std::uint32_t>& measured, const Facing& plane, Place& place) const;
+};
+
+void Sight::judge(const std::vector<std::uint32_t>& measured, const Facing& plane, Place& place) const {
+  int before = 0, same = 0, past = 0, turned = 0;
+  std::int32_t turn = -1;
+  for (const std::uint32_t i : measured) {
+    const Eigen::Vector3d p = cloud.offset(i).cast<double>();
+    const double over = plane.over(p);
+    ++(over > plane.thick ? before : over < -plane.thick ? past : same);
+    if (over >= -plane.thick || plane_of_point.empty() || (p - place.at).squaredNorm() > kAround * kAround) continue;
+    const std::int32_t other = plane_of_point[i];
+    if (other < 0 || (other != turn && !turns(plane, other, place.at))) continue;
+    turn = other, ++turned;
+  }
+  if (before + same + past == 0) return;
+  Seen seen = same >= before ? Seen::same_surface : Seen::something_before;
+  if (past >= std::max(same, before)) seen = 2 * turned > past ? Seen::around_the_edge : Seen::past;
+  if (seen <= place.seen) return;
+  place.seen = seen;
+  if (seen == Seen::around_the_edge) place.turn = turn;
 }
 
-void look(const Cloud& cloud, const Directions& directions, const Eigen::Vector3d& eye, const Plane& plane, std::vector<Place>& places) {
-  Facing facing{plane.normal, plane.centroid - cloud.origin, std::max(kThick, kDeviations * plane.rmse)};
-  if (facing.over(eye) < 0) facing.normal = -facing.normal;
-  if (facing.over(eye) < 2 * facing.thick) return;  // seen edge-on
+void look(const Directions& directions, const Sight& sight, std::size_t number, std::vector<Place>& places) {
+  const Facing facing = sight.facing(number);
+  if (facing.over(sight.eye) < 2 * facing.thick) return;  // seen edge-on
   std::vector<std::uint32_t> measured;
   for (Place& place : places) {
-    const double beyond = std::max(kBeyond, kBeyondSteps * directions.step() * (place.at - eye).norm());
+    const double beyond = std::max(kBeyond, kBeyondSteps * directions.step() * (place.at - sight.eye).norm());
     directions.measured_towards(place.at + beyond * place.out, measured);
-    place.seen = std::max(place.seen, judge(cloud, measured, facing));
+    sight.judge(measured, facing, place);
   }
 }
 
@@ -142,20 +183,40 @@ void conclude(const std::vector<Place>& places, const Eigen::Vector3d& up, Plane
   if (top.enough() && top.seen >= kShortestTop) plane.edge_free_top = top.free / top.seen;
 }
 
+/// The planes that one turns into along more than a scrap of its outline.
+std::vector<std::uint32_t> turns_of(const std::vector<Place>& places) {
+  std::map<std::int32_t, double> metres;
+  for (const Place& place : places) {
+    if (place.seen == Seen::around_the_edge) metres[place.turn] += place.length;
+  }
+  std::vector<std::uint32_t> turns;
+  for (const auto& [plane, length] : metres) {
+    if (length >= kShortestTurn) turns.push_back(static_cast<std::uint32_t>(plane));
+  }
+  return turns;
+}
+
 }  // namespace
 
-void look_beyond_outlines(const Cloud& cloud, const Eigen::Quaterniond& upright, std::vector<Plane>& planes, int threads) {
-  if (!cloud.sensors.known()) return;
+Turns look_beyond_outlines(const Cloud& cloud, const Eigen::Quaterniond& upright, std::span<const std::int32_t> plane_of_point,
+                           std::vector<Plane>& planes, int threads) {
+  Turns turns(planes.size());
+  if (!cloud.sensors.known()) return turns;
+  const Eigen::Vector3d up = upright.inverse() * Eigen::Vector3d::UnitZ();
   std::vector<std::vector<Place>> places(planes.size());
   for (std::size_t p = 0; p < planes.size(); ++p) places[p] = places_of(planes[p], cloud.origin);
   for (View& view : views_of(cloud)) {
     const Directions directions(cloud, std::move(view.points), view.eye, threads);
+    const Sight sight{cloud, up, plane_of_point, planes, view.eye};
     parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p) look(cloud, directions, view.eye, planes[p], places[p]);
+      for (std::size_t p = begin; p < end; ++p) look(directions, sight, p, places[p]);
     });
   }
-  const Eigen::Vector3d up = upright.inverse() * Eigen::Vector3d::UnitZ();
-  for (std::size_t p = 0; p < planes.size(); ++p) conclude(places[p], up, planes[p]);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    conclude(places[p], up, planes[p]);
+    turns[p] = turns_of(places[p]);
+  }
+  return turns;
 }
 
 }  // namespace scenelore::perception

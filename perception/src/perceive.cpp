@@ -78,15 +78,21 @@ Perception perceive(const Cloud& cloud, const PerceptionOptions& options) {
   const auto& points = found.sampled;
   result.planes.resize(points.size());
   const DescribeOptions describing{.hull_radius = std::max(0.05, found.limits.small_plane_step / 2)};
-  const Surroundings surroundings(found.voxels, found.voxel);
   parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       result.planes[p] = describe_sampled(cloud, points[p], found.regions.planes[p], result.upright, describing);
-      result.planes[p].behind = surroundings.behind(result.planes[p], cloud.origin);
     }
   });
-  look_beyond_outlines(cloud, result.upright.rotation, result.planes, options.threads);
   result.plane_of_point = std::move(found.regions.of_point);
+  const Turns turns = look_beyond_outlines(cloud, result.upright.rotation, result.plane_of_point, result.planes, options.threads);
+  const Surroundings surroundings(found.voxels, found.voxel);
+  parallel_pieces(points.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      std::vector<const Plane*> around;
+      for (const std::uint32_t turn : turns[p]) around.push_back(&result.planes[turn]);
+      result.planes[p].behind = surroundings.behind(result.planes[p], cloud.origin, around);
+    }
+  });
   warn(cloud, result);
   return result;
 }

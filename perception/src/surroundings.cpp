@@ -22,6 +22,12 @@ CellKey key_of(const Eigen::Vector3d& place, double edge) {
   return cell_key(at[0], at[1], at[2]);
 }
 
+/// Whether a place behind `plane` is seen beyond an edge around which it turns, on the near side of the plane there or in it.
+bool beside(const Eigen::Vector3d& place, const Plane& plane, double thick, const Eigen::Vector3d& origin, std::span<const Plane* const> turns) {
+  if (turns.empty() || plane.normal.dot(place + origin - plane.centroid) > 0) return false;
+  return std::any_of(turns.begin(), turns.end(), [&](const Plane* turn) { return turn->normal.dot(place + origin - turn->centroid) > -thick; });
+}
+
 }  // namespace
 
 Surroundings::Surroundings(std::span<const Moments> voxels, double voxel) : edge_(std::max(kEdge, voxel)) {
@@ -40,7 +46,7 @@ Surroundings::Surroundings(std::span<const Moments> voxels, double voxel) : edge
   blocks_ = CellIndex(blocks);
 }
 
-double Surroundings::behind(const Plane& plane, const Eigen::Vector3d& origin) const {
+double Surroundings::behind(const Plane& plane, const Eigen::Vector3d& origin, std::span<const Plane* const> turns) const {
   if (plane.hull.outer.empty()) return -1;
   const Eigen::Matrix3d to_plane = plane.orientation.toRotationMatrix().transpose();
   const Eigen::Vector3d centroid = plane.centroid - origin;
@@ -60,6 +66,7 @@ double Surroundings::behind(const Plane& plane, const Eigen::Vector3d& origin) c
     for (const std::uint32_t c : blocks_.items(b)) {
       const Eigen::Vector3d p = to_plane * (places_[c] - centroid);
       if (std::abs(p.z()) > thick + kDepth || !box.contains(p.head<2>())) continue;
+      if (std::abs(p.z()) > thick && beside(places_[c], plane, thick, origin, turns)) continue;
       ++(std::abs(p.z()) <= thick ? own : p.z() > 0 ? before : after);
     }
   }

@@ -15,8 +15,9 @@ class Surroundings {
   /// From the moments of voxels with this edge (metres), in the cloud's offsets.
   Surroundings(std::span<const Moments> voxels, double voxel);
 
-  /// Plane::behind, for a plane in the scan's frame whose offsets count from `origin`; −1 without an outline.
-  [[nodiscard]] double behind(const Plane& plane, const Eigen::Vector3d& origin) const;
+  /// Plane::behind, for a plane in the scan's frame whose offsets count from `origin`; −1 without an outline. Each of `turns` is
+  /// a plane that this one turns into around an edge: what lies before it is beside this one, not behind.
+  [[nodiscard]] double behind(const Plane& plane, const Eigen::Vector3d& origin, std::span<const Plane* const> turns = {}) const;
 
  private:
   double edge_;

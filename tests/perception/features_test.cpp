@@ -288,6 +288,40 @@ TEST(Surroundings, CountCubesOnBothSidesOfAPlane) {
   EXPECT_DOUBLE_EQ(behind({0.05, 0.65, -0.55}, 4), -1) << "no outline";
 }
 
+/// The front of a pillar, from x = 0 to 1 at y = 0, seen from y > 0: its side runs back at x = 1, a niche lies beyond.
+TEST(Surroundings, DoNotTakeForBehindWhatIsBesideACorner) {
+  std::vector<Moments> voxels;
+  const auto fill = [&](double x, double y) {
+    for (int z = 0; z < 10; ++z) {
+      voxels.emplace_back();
+      voxels.back().n = 4;
+      voxels.back().sum = 4 * Eigen::Vector3d(x, y, 0.1 * z + 0.05);
+    }
+  };
+  for (int i = 0; i < 10; ++i) {
+    fill(0.1 * i + 0.05, 0.0);   // the front
+    fill(0.1 * i + 0.05, 0.65);  // the room before it
+    fill(1.0, -0.1 * i - 0.05);  // the side
+    fill(1.25, -0.1 * i - 0.05); // what stands in the niche
+  }
+  const auto upright = [](double x, double y, const Eigen::Vector3d& normal) {
+    Plane plane;
+    plane.centroid = {x, y, 0.5};
+    plane.normal = normal;
+    plane.orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
+    const Eigen::Vector3d along = 0.5 * Eigen::Vector3d::UnitZ().cross(normal), up = 0.5 * Eigen::Vector3d::UnitZ();
+    plane.hull.outer = {plane.centroid - along - up, plane.centroid + along - up, plane.centroid + along + up, plane.centroid - along + up};
+    return plane;
+  };
+  const Plane front = upright(0.5, 0, Eigen::Vector3d::UnitY()), side = upright(1, -0.5, Eigen::Vector3d::UnitX());
+  const Surroundings around(voxels, 0.05);
+  const Plane* const turns[] = {&side};
+  EXPECT_GT(around.behind(front, Eigen::Vector3d::Zero()), 0.4);
+  EXPECT_EQ(around.behind(front, Eigen::Vector3d::Zero(), turns), 0);
+  for (int i = 0; i < 10; ++i) fill(0.1 * i + 0.05, -0.95);  // the room goes on behind the front itself: no pillar, a thin thing
+  EXPECT_GT(Surroundings(voxels, 0.05).behind(front, Eigen::Vector3d::Zero(), turns), 0.3);
+}
+
 TEST(Perceive, TellsWhereTheRoomEndsHoweverItIsTurned) {
   const Eigen::Isometry3d turned(Eigen::Translation3d(30, -7, 2) * Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.1, 0.05, 1).normalized()));
   Scene room = testing::room(0.005);

@@ -35,8 +35,10 @@ Plane plane_of(const Panel& panel) {
   return plane;
 }
 
-/// Every `step_deg` in azimuth and elevation, towards x within 70 degrees; the scene is moved before it is seen.
-Cloud seen(const std::vector<Panel>& panels, const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity(), double step_deg = 0.3) {
+/// Every `step_deg` in azimuth and elevation, towards x within 70 degrees; the scene is moved before it is seen. `panel_of_point`
+/// takes the number of the panel that each point is on.
+Cloud seen(const std::vector<Panel>& panels, const Eigen::Isometry3d& motion = Eigen::Isometry3d::Identity(), double step_deg = 0.3,
+           std::vector<std::int32_t>* panel_of_point = nullptr) {
   Cloud cloud;
   cloud.origin = motion * Vector(1, 2, 3);
   cloud.sensors = SensorPositions(motion * Vector(0, 0, 0));
@@ -45,8 +47,12 @@ Cloud seen(const std::vector<Panel>& panels, const Eigen::Isometry3d& motion = E
       const double a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
       const Vector ray(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Panel& panel : panels) nearest = std::min(nearest, panel.hit(ray));
+      std::int32_t number = -1;
+      for (std::size_t k = 0; k < panels.size(); ++k) {
+        if (panels[k].hit(ray) < nearest) nearest = panels[k].hit(ray), number = static_cast<std::int32_t>(k);
+      }
       if (!std::isfinite(nearest)) continue;
+      if (panel_of_point) panel_of_point->push_back(number);
       const Eigen::Vector3f p = (motion * (nearest * ray) - cloud.origin).cast<float>();
       cloud.x.push_back(p.x()), cloud.y.push_back(p.y()), cloud.z.push_back(p.z());
     }
@@ -60,7 +66,7 @@ const Panel kCeiling{{0.5, -3, 1.5}, {0, 6, 0}, {3.5, 0, 0}};
 
 Plane looked_at(const std::vector<Panel>& panels) {
   std::vector<Plane> planes{plane_of(panels[0])};
-  look_beyond_outlines(seen(panels), Eigen::Quaterniond::Identity(), planes, 2);
+  look_beyond_outlines(seen(panels), Eigen::Quaterniond::Identity(), {}, planes, 2);
   return planes[0];
 }
 
@@ -107,12 +113,12 @@ TEST(OutlineEdges, AreNotKnownWithoutASensorOutlineOrMeasurements) {
   std::vector<Plane> planes{plane_of(screen), plane_of(screen)};
   planes[1].hull.outer.clear();
   Cloud cloud = seen({screen, kWall});
-  look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), planes, 2);
+  look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), {}, planes, 2);
   EXPECT_EQ(planes[0].edge_free, 1);
   EXPECT_EQ(planes[1].edge_free, -1);
   planes = {plane_of(screen)};
   cloud.sensors = {};
-  look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), planes, 2);
+  look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), {}, planes, 2);
   EXPECT_EQ(planes[0].edge_free, -1);
   EXPECT_EQ(looked_at({screen}).edge_free, -1) << "a screen in the dark: no ray came back from beyond it";
 }
@@ -135,13 +141,49 @@ TEST(OutlineEdges, TakeOfSeveralPosesTheOneThatSawMost) {
   const auto edges = [&](const SensorPositions& sensors) {
     cloud.sensors = sensors;
     std::vector<Plane> planes{plane_of(panel)};
-    look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), planes, 2);
+    look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), {}, planes, 2);
     return planes[0].edge_free;
   };
   EXPECT_LT(looked_at(panels).edge_free, 0.7) << "from the origin alone";
   EXPECT_GT(edges(SensorPositions({Vector(0, 0, 0), beside}, of_point)), 0.95);
   std::fill(of_point.begin(), of_point.end(), 2U);
   EXPECT_EQ(edges(SensorPositions({Vector(0, 0, 0), beside}, of_point)), -1) << "positions of other points";
+}
+
+/// A pillar, its front from y = −1.4 to −0.7 at x = 2; the sensor sees its side at y = −0.7 as well, which runs back by `depth`,
+/// and aside by `turned`.
+struct Pillar {
+  explicit Pillar(double depth, double turned = 0)
+      : panels{{{2, -1.4, -1.5}, {0, 0, 3}, {0, 0.7, 0}}, {{2, -0.7, -1.5}, {0, 0, 3}, {depth, turned, 0}}, kWall, kFloor, kCeiling} {
+    for (const Panel& panel : panels) planes.push_back(plane_of(panel));
+    const Cloud cloud = seen(panels, Eigen::Isometry3d::Identity(), 0.3, &plane_of_point);
+    without_planes = planes;
+    look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), {}, without_planes, 2);
+    turns = look_beyond_outlines(cloud, Eigen::Quaterniond::Identity(), plane_of_point, planes, 2);
+  }
+
+  std::vector<Panel> panels;
+  std::vector<Plane> planes, without_planes;
+  std::vector<std::int32_t> plane_of_point;
+  Turns turns;
+};
+
+TEST(OutlineEdges, AreNotFreeWhereASurfaceTurnsAroundAnUprightEdge) {
+  const Pillar pillar(1.5);
+  EXPECT_EQ(pillar.turns[0], std::vector<std::uint32_t>{1}) << "the front into the side";
+  EXPECT_TRUE(pillar.turns[2].empty()) << "the wall meets floor and ceiling in corners that point away";
+  EXPECT_GT(pillar.without_planes[0].edge_free, 0.7) << "without the planes of the points both long edges look free";
+  EXPECT_NEAR(pillar.planes[0].edge_free, 0.4, 0.1) << "the other long edge is: its side is not seen";
+}
+
+TEST(OutlineEdges, AreFreeWhereWhatIsSeenPastThemOnlyLiesInTheSameDirection) {
+  EXPECT_TRUE(Pillar(1.5, 1.5).turns[0].empty()) << "half a turn is the next surface, no corner of a body";
+  Pillar apart(1.5);
+  for (std::int32_t& plane : apart.plane_of_point) plane = plane == 1 ? 2 : plane;  // as if the side's points were the wall's
+  std::vector<Plane> planes = apart.planes;
+  const Turns turns = look_beyond_outlines(seen(apart.panels), Eigen::Quaterniond::Identity(), apart.plane_of_point, planes, 2);
+  EXPECT_TRUE(turns[0].empty()) << "the wall's plane does not pass through the edge";
+  EXPECT_EQ(planes[0].edge_free, apart.without_planes[0].edge_free);
 }
 
 TEST(OutlineEdges, AreTheSameHoweverTheSceneIsTurned) {
@@ -156,10 +198,10 @@ TEST(OutlineEdges, AreTheSameHoweverTheSceneIsTurned) {
     const Eigen::Quaterniond upright(motion.rotation().transpose());
     std::vector<Plane> again = planes;
     const Cloud cloud = seen(panels, motion);
-    look_beyond_outlines(cloud, upright, planes, 1);
+    look_beyond_outlines(cloud, upright, {}, planes, 1);
     EXPECT_NEAR(planes[0].edge_free, 2.0 / 3, 0.05) << turn;
     EXPECT_EQ(planes[0].edge_free_top, 1) << turn;
-    look_beyond_outlines(cloud, upright, again, 3);
+    look_beyond_outlines(cloud, upright, {}, again, 3);
     EXPECT_EQ(again[0].edge_free, planes[0].edge_free);
     EXPECT_EQ(again[0].edge_joined, planes[0].edge_joined);
   }

@@ -39,11 +39,12 @@ struct Plane {
   double seen_share = 0;     ///< share of the hull's 5 cm cells that hold points, 0..1
   /// Does the room end here? Of the 10 cm cubes with points in and around the outline's box, 1.5 m deep to both sides: how many
   /// lie off the plane on the side with fewer, as a share of these and the plane's own, 0..1. About 0 for floor, ceiling, walls and
-  /// what hangs on them. −1 = not known.
+  /// what hangs on them. Where it turns into another plane around an upright edge, what that one faces is beside it and does not
+  /// count. −1 = not known.
   double behind = -1;
   /// What the sensor saw beyond the outline, in shares of the outline's length (0..1) beyond which it measured anything: rays
-  /// went past into the room behind (free), or met more of the same surface within 4 cm of the plane (joined); along the rest
-  /// something before the plane hides how it goes on. `edge_free_top`: free, of the upper edge of what is not level alone.
+  /// went past into the room behind (free), or met more of the same surface within 4 cm of the plane (joined); along the rest it
+  /// turns into another plane around an upright edge, or something before it hides how it goes on. `edge_free_top`: free, of the upper edge of what is not level alone.
   /// −1 = not known, or measured along less than a quarter of it.
   double edge_free = -1, edge_free_top = -1, edge_joined = -1;
   std::size_t point_count = 0;
