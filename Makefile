@@ -2,7 +2,7 @@
 SCAN ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: demo test build bench engine_bench experiments table1 relabel label_bench segmentation_bench rules_bench knowledge nightly asan clean
+.PHONY: demo test build bench faces engine_bench experiments table1 relabel label_bench segmentation_bench rules_bench knowledge nightly asan clean
 
 demo: build
 	bash tools/demo.sh build/release/bin/scenelore "$(SCAN)"
@@ -51,6 +51,13 @@ rules_bench: bench
 knowledge: bench
 	build/bench/bin/learn_office schemas/knowledge/office.sql > schemas/knowledge/office_learned.sql.new
 	mv schemas/knowledge/office_learned.sql.new schemas/knowledge/office_learned.sql
+
+# Learns again from simulated scans what tells a planar face from clutter (perception/src/face_curves.inc); knowledge should be learned
+# after it, since it decides which planes there are.
+faces: bench
+	cmake --build --preset bench -j $(JOBS) --target learn_faces
+	build/bench/bin/learn_faces > perception/src/face_curves.inc.new
+	mv perception/src/face_curves.inc.new perception/src/face_curves.inc
 
 # The engine beside toulbar2 on the same instances: rooms, random planes, a building, classical problems.
 engine_bench: bench

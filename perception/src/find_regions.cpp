@@ -6,6 +6,7 @@
 
 #include "absorb.hpp"
 #include "clutter.hpp"
+#include "face_model.hpp"
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
@@ -25,6 +26,10 @@ constexpr double kFewestToGrow = 12;    // points of a region while it is still 
 // scene of few voxels is one of small things, which need more.
 constexpr std::int64_t kFewestSampled = 8, kMostSampled = 64, kWantedSample = 300'000;
 
+// A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
+// hardly any.
+constexpr double kFace = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
+
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
 
@@ -39,7 +44,8 @@ std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
 /// One segmentation under way.
 class Finder {
  public:
-  Finder(const Cloud& cloud, const PerceptionOptions& options) : cloud_(cloud), options_(options), threads_(options.threads) {
+  Finder(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged)
+      : cloud_(cloud), options_(options), unjudged_(unjudged), threads_(options.threads) {
     begin("voxels");
     voxels_ = voxelise_to_scale(cloud, threads_);
     found_.voxel = voxels_.scale.voxel;
@@ -62,6 +68,7 @@ class Finder {
   void grow_coarser();
   void merge();
   void assign();
+  void give_up();
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
     transfer(sample_, voxels_.grid, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
@@ -69,6 +76,7 @@ class Finder {
 
   const Cloud& cloud_;
   const PerceptionOptions& options_;
+  Unjudged* unjudged_;
   int threads_;
   ScaledCloud voxels_;
   FoundRegions found_;
@@ -149,6 +157,27 @@ void Finder::merge() {
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
 }
 
+/// What is more likely clutter, a sliver or two faces under one plane is given up, unless somebody wants to learn from it.
+void Finder::give_up() {
+  begin("faces");
+  const std::vector<FaceTraits> traits =
+      face_traits(voxels_.grid, surfaces_, noise_of_regions(slots_, noise_of_voxel_, 0, planes_.size()), slots_, planes_);
+  if (unjudged_ != nullptr) {
+    *unjudged_ = {traits, sample_.points, {}};
+    for (const std::uint32_t s : slot_of_point_) unjudged_->region_of_point.push_back(slots_.region[s]);
+    return;
+  }
+  std::vector<bool> given_up(planes_.size());
+  for (std::size_t r = 0; r < planes_.size(); ++r) {
+    const double least = planes_[r].spread_area() < kLarge ? kFace : kLargeFace;
+    given_up[r] = planes_[r].count > 0 && face_probability(traits[r]) < least;
+    if (given_up[r]) planes_[r] = PlaneFit();
+  }
+  for (std::int32_t& r : slots_.region) {
+    if (r >= 0 && given_up[r]) r = -1;
+  }
+}
+
 FoundRegions Finder::run() {
   assign();
   grow_coarser();
@@ -170,6 +199,7 @@ FoundRegions Finder::run() {
   join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), regions); });
+  give_up();
   begin("promises");
   separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_);
   begin("all points");
@@ -183,9 +213,9 @@ FoundRegions Finder::run() {
 
 }  // namespace
 
-FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options) {
+FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged) {
   check(options.parameters);
-  return Finder(cloud, options).run();
+  return Finder(cloud, options, unjudged).run();
 }
 
 }  // namespace scenelore::perception

@@ -1,6 +1,7 @@
 // The steps of segmentation, shared by segment() and perceive().
 #pragma once
 
+#include "face_traits.hpp"
 #include "promises.hpp"
 #include "scenelore/perception/perceive.hpp"
 
@@ -13,7 +14,15 @@ struct FoundRegions : Settled {
   std::vector<Moments> voxels;               ///< of all points, in the cloud's offsets
 };
 
-/// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range.
-[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options);
+/// The regions that the face model is asked about, for learning it.
+struct Unjudged {
+  std::vector<FaceTraits> traits;            ///< by region
+  std::vector<std::uint32_t> points;         ///< of the cloud, those in the sample
+  std::vector<std::int32_t> region_of_point; ///< by point of the sample; −1 = none
+};
+
+/// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range. With `unjudged`, tells
+/// there what the face model would be asked about, and gives nothing up.
+[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged = nullptr);
 
 }  // namespace scenelore::perception

@@ -1,0 +1,13 @@
+// How likely a region is a planar face of the scene, from its traits: a generalised additive model (Hastie & Tibshirani 1986),
+// log-odds as a sum of one piecewise linear curve a trait. The curves are data (face_curves.inc), learned by `make faces` from
+// simulated scans; each can be read, and each tells why a region was given up.
+#pragma once
+
+#include "face_traits.hpp"
+
+namespace scenelore::perception {
+
+/// Between 0 and 1: that at least half of region and face are the same (IoU 0.5).
+[[nodiscard]] double face_probability(const FaceTraits& traits);
+
+}  // namespace scenelore::perception

@@ -1,0 +1,173 @@
+#include "face_traits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kAgreeing = 0.9;       // cosine of 26 degrees
+constexpr double kParallel = 0.94;      // cosine of 20 degrees
+constexpr double kFlatterThan = 0.997;  // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
+constexpr double kSteeperThan = 0.64;   // cosine of 50 degrees: an edge
+constexpr double kStep = 0.4;           // voxels
+constexpr double kFar = 8;              // deviations
+constexpr double kBefore = 0.8;         // voxels along the normal: what lies beside is no layer
+
+// What is thinner, smoother or more even than this is no less a face. In simulated scans hardly anything is, but slivers of rounded
+// distances, which must not speak against an exact cloud.
+constexpr double kThin = 0.04, kSmooth = 0.9, kEven = 0.3;
+
+/// Sums over the voxels of a region.
+struct Tally {
+  double voxels = 0, agreeing = 0, judged = 0, uneven = 0, left = 0, foreign = 0;
+  double border = 0, contact = 0;
+  double nearer = 0;  // by how much the nearest layer of each voxel is nearer than kFar
+};
+
+/// The region with most of a voxel's points, and where these are.
+struct Owner {
+  std::int32_t region = -1;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+};
+
+class Measure {
+ public:
+  Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
+          const std::vector<PlaneFit>& planes)
+      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), tally_(planes.size()), owner_(grid.count()) {}
+
+  std::vector<FaceTraits> run() {
+    for (std::size_t v = 0; v < grid_.count(); ++v) choose_owner(v);
+    for (std::size_t v = 0; v < grid_.count(); ++v) within(v);
+    for (std::size_t v = 0; v < grid_.count(); ++v) {
+      if (owner_[v].region >= 0) around(v);
+    }
+    std::vector<FaceTraits> result(planes_.size());
+    for (std::size_t r = 0; r < planes_.size(); ++r) {
+      if (planes_[r].count > 0) result[r] = traits(r);
+    }
+    return result;
+  }
+
+ private:
+  /// Deviations between a region's points at `middle` and another region, where that is a larger one and almost parallel; else kFar.
+  [[nodiscard]] double layer(std::int32_t region, std::int32_t other, const Eigen::Vector3d& middle) const {
+    const PlaneFit &plane = planes_[region], &larger = planes_[other];
+    if (larger.count <= plane.count || std::abs(plane.normal.dot(larger.normal)) < kParallel) return kFar;
+    return std::min(kFar, std::abs(larger.distance(middle)) / std::max(noise_[other], larger.rmse()));
+  }
+  void within(std::size_t v);
+  [[nodiscard]] double nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const;
+  void around(std::size_t v);
+  void choose_owner(std::size_t v);
+  [[nodiscard]] FaceTraits traits(std::size_t r) const;
+
+  const VoxelGrid& grid_;
+  const std::vector<LocalSurface>& surfaces_;
+  const std::vector<double>& noise_;
+  const Slots& slots_;
+  const std::vector<PlaneFit>& planes_;
+  std::vector<Tally> tally_;
+  std::vector<Owner> owner_;
+};
+
+void Measure::choose_owner(std::size_t v) {
+  double most = 0;
+  for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
+    const double n = slots_.moments[s].n;
+    if (slots_.region[s] >= 0 && n > most) most = n, owner_[v] = {slots_.region[s], slots_.moments[s].mean()};
+  }
+}
+
+void Measure::within(std::size_t v) {
+  double all = 0, left = 0;
+  for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
+    all += slots_.moments[s].n;
+    if (slots_.region[s] < 0) left += slots_.moments[s].n;
+  }
+  for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
+    const std::int32_t r = slots_.region[s];
+    const Moments& m = slots_.moments[s];
+    if (r < 0 || m.n <= 0) continue;
+    Tally& t = tally_[r];
+    const PlaneFit& plane = planes_[r];
+    t.voxels += 1, t.left += left, t.foreign += all - left - m.n;
+    const LocalSurface& near = surfaces_[v];
+    if (!near.normal.isZero()) {
+      t.judged += m.n;
+      if (std::abs(near.normal.dot(plane.normal)) > kAgreeing) t.agreeing += m.n;
+    }
+    const double d = m.mean_distance(plane);
+    t.uneven += m.n * d * d;
+    t.nearer += kFar - nearest_layer(v, r, m.mean());
+  }
+}
+
+/// In the same voxel, or with most of the points of one before or behind it.
+double Measure::nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const {
+  double nearest = kFar;
+  for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
+    const std::int32_t other = slots_.region[s];
+    if (other >= 0 && other != region && slots_.moments[s].n > 0) nearest = std::min(nearest, layer(region, other, middle));
+  }
+  const Eigen::Vector3d center = grid_.center(v);
+  for (const std::int32_t n : grid_.neighbours[v]) {
+    if (n < 0 || owner_[n].region < 0 || owner_[n].region == region) continue;
+    if (std::abs(planes_[region].normal.dot(grid_.center(static_cast<std::size_t>(n)) - center)) < kBefore * grid_.size) continue;
+    nearest = std::min(nearest, layer(region, owner_[n].region, middle));
+  }
+  return nearest;
+}
+
+void Measure::around(std::size_t v) {
+  const std::int32_t r = owner_[v].region;
+  const PlaneFit& plane = planes_[r];
+  Tally& t = tally_[r];
+  int own = 0;
+  bool goes_on = false;
+  for (const std::int32_t n : grid_.neighbours[v]) {
+    if (n < 0 || owner_[n].region < 0) continue;
+    const std::int32_t other = owner_[n].region;
+    if (other == r) {
+      ++own;
+      continue;
+    }
+    const double cosine = std::abs(plane.normal.dot(planes_[other].normal));
+    if (cosine < kFlatterThan && cosine > kSteeperThan) goes_on = goes_on || std::abs(plane.distance(owner_[n].middle)) < kStep * grid_.size;
+  }
+  if (own < 9) t.border += 1;
+  t.contact += goes_on;
+}
+
+FaceTraits Measure::traits(std::size_t r) const {
+  const PlaneFit& plane = planes_[r];
+  const Tally& t = tally_[r];
+  const double variance = std::max(plane.variances[0], 0.0), across = std::max(plane.variances[1], 1e-9), along = std::max(plane.variances[2], 1e-9);
+  const double noise = std::max(noise_[r], 1e-5), area = std::max(plane.spread_area(), 1e-6);
+  FaceTraits out{};
+  const auto set = [&](Trait trait, double value) { out[static_cast<std::size_t>(trait)] = value; };
+  const double all = plane.count + t.left + t.foreign;
+  set(Trait::points, std::log10(plane.count));
+  set(Trait::area, std::log10(area));
+  set(Trait::length, 0.5 * std::log10(along / across));
+  set(Trait::thickness, std::max(kThin, std::sqrt(variance / across)));
+  set(Trait::roughness, std::max(kSmooth, std::sqrt(variance) / noise));
+  set(Trait::agreeing, t.judged > 0 ? t.agreeing / t.judged : 0.5);
+  set(Trait::unevenness, std::max(kEven, std::log10(1 + t.uneven / (std::max(1.0, t.voxels - 3) * noise * noise))));
+  set(Trait::fill, std::min(4.0, t.voxels * grid_.size * grid_.size / area));
+  set(Trait::layer, kFar - t.nearer / std::max(1.0, t.voxels));
+  set(Trait::contact, std::min(1.0, t.contact / std::max(1.0, t.border)));
+  set(Trait::left, t.left / all);
+  set(Trait::foreign, t.foreign / all);
+  return out;
+}
+
+}  // namespace
+
+std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise_of_region,
+                                    const Slots& slots, const std::vector<PlaneFit>& planes) {
+  return Measure(grid, surfaces, noise_of_region, slots, planes).run();
+}
+
+}  // namespace scenelore::perception

@@ -1,0 +1,35 @@
+// What tells a planar face from clutter, from a sliver of a larger face and from two faces under one plane: measured of each
+// region, judged by face_model.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "slots.hpp"
+#include "surface_voxels.hpp"
+
+namespace scenelore::perception {
+
+enum class Trait : std::uint8_t {
+  points,     ///< log10 of their number
+  area,       ///< log10 of the m² that they spread over
+  length,     ///< log10 of how many times as far they spread along as across
+  thickness,  ///< deviation over the spread across; at least 0.04
+  roughness,  ///< deviation over the noise of the place; at least 0.9
+  agreeing,   ///< share of the points whose 15 cm surroundings lie like the region
+  unevenness, ///< log10 of (1 + mean squared deviation of voxel means, in units of what chance allows); at least 0.3
+  fill,       ///< area of its voxels over the area that it spreads over
+  layer,      ///< distance from larger, almost parallel planes before or behind it, in their deviations; 8 = far, or none; mean of its voxels
+  contact,    ///< share of its border voxels that go on into another region at a slope
+  left,       ///< share of the points in its voxels that no plane explains
+  foreign,    ///< share of the points in its voxels that are other planes'
+};
+inline constexpr std::size_t kTraits = 12;
+using FaceTraits = std::array<double, kTraits>;
+
+/// One row a region; zeros for those without points. `noise_of_region`: metres, see merge.hpp.
+[[nodiscard]] std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces,
+                                                  const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes);
+
+}  // namespace scenelore::perception

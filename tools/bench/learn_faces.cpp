@@ -1,0 +1,104 @@
+// Learns the curves of the face model (perception/src/face_model.hpp) from simulated scans and prints them as C++ (face_curves.inc).
+// A region is a face when half of both are the same. Scans: paper-like rooms at several densities and noises, varied rooms and
+// depth-camera frames, of seeds from 8501 on, on which nothing is reported.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "bench/segmentation_scores.hpp"
+#include "find_regions.hpp"
+#include "learning/additive_model.hpp"
+#include "simulator/simulate.hpp"
+
+namespace {
+
+using namespace scenelore;
+
+constexpr std::size_t kKnots = 9;
+constexpr double kPenalty = 4, kSame = 0.5;
+constexpr const char* kNames[perception::kTraits] = {"points", "area", "length", "thickness", "roughness", "agreeing", "unevenness",
+                                                     "fill", "layer", "contact", "left", "foreign"};
+
+std::vector<simulator::SimulationOptions> scans() {
+  std::vector<simulator::SimulationOptions> out;
+  const std::array<std::size_t, 4> sizes{0, 100'000, 500'000, 1'500'000};
+  for (std::uint64_t set = 0; set < 5; ++set) {
+    for (const double noise : {0.01, 0.02}) {
+      auto rooms = simulator::paper_rooms(8501 + 2 * set + (noise > 0.01 ? 1 : 0), noise);
+      for (std::size_t i = 0; i < rooms.size(); ++i) {
+        if (noise > 0.01 && i % 2 == 1) continue;
+        rooms[i].points = sizes[i % sizes.size()];
+        out.push_back(rooms[i]);
+      }
+    }
+  }
+  for (std::uint64_t i = 0; i < 30; ++i) out.push_back({.seed = 8601 + i, .sensor = simulator::Sensor::depth_camera, .varied = true});
+  for (std::uint64_t i = 0; i < 10; ++i) out.push_back({.seed = 8701 + i, .varied = true});
+  return out;
+}
+
+/// How often a face has higher odds than what is none.
+double area_under_curve(const learning::AdditiveModel& model, const std::vector<std::vector<double>>& traits, const std::vector<bool>& faces) {
+  std::vector<std::pair<double, bool>> ranked;
+  for (std::size_t i = 0; i < traits.size(); ++i) ranked.emplace_back(model.odds(traits[i]), faces[i]);
+  std::sort(ranked.begin(), ranked.end());
+  double below = 0, pairs = 0, yes = 0;
+  for (const auto& [odds, face] : ranked) {
+    if (face) {
+      pairs += below, yes += 1;
+    } else {
+      below += 1;
+    }
+  }
+  return pairs / std::max(1.0, yes * below);
+}
+
+}  // namespace
+
+int main() {
+  std::vector<std::vector<double>> traits;
+  std::vector<bool> faces;
+  std::vector<std::size_t> scan_of;
+  const auto all = scans();
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const simulator::SimulatedScan scan = simulator::simulate(all[s]);
+    perception::Unjudged unjudged;
+    static_cast<void>(perception::find_regions(perception::to_cloud(scan.points, "room"), {.threads = 2}, &unjudged));
+    const auto overlap = experiment::face_overlaps(scan, unjudged.points, unjudged.region_of_point, unjudged.traits.size());
+    std::vector<double> points(unjudged.traits.size(), 0);
+    for (const std::int32_t r : unjudged.region_of_point) {
+      if (r >= 0) points[static_cast<std::size_t>(r)] += 1;
+    }
+    for (std::size_t r = 0; r < points.size(); ++r) {
+      if (points[r] < 3) continue;
+      traits.emplace_back(unjudged.traits[r].begin(), unjudged.traits[r].end());
+      faces.push_back(overlap[r] >= kSame);
+      scan_of.push_back(s);
+    }
+  }
+  // Every fourth scan left out tells what the model is worth on scans that it has not seen.
+  std::vector<std::vector<double>> seen, unseen;
+  std::vector<bool> seen_faces, unseen_faces;
+  for (std::size_t i = 0; i < traits.size(); ++i) {
+    (scan_of[i] % 4 == 3 ? unseen : seen).push_back(traits[i]);
+    (scan_of[i] % 4 == 3 ? unseen_faces : seen_faces).push_back(faces[i]);
+  }
+  const double apart = area_under_curve(learning::fit_additive(seen, seen_faces, kKnots, kPenalty), unseen, unseen_faces);
+  const learning::AdditiveModel model = learning::fit_additive(traits, faces, kKnots, kPenalty);
+  fmt::print("// Learned by `make faces` (tools/bench/learn_faces.cpp) from {} regions of {} simulated scans, {} of them faces;\n"
+             "// area under the curve on scans left out: {:.4f}.\n"
+             "constexpr double kOffset = {:.4f};\nconstexpr std::array<Curve, kTraits> kCurves{{\n",
+             traits.size(), all.size(), std::count(faces.begin(), faces.end(), true), apart, model.offset);
+  for (std::size_t t = 0; t < model.curves.size(); ++t) {
+    const auto list = [](const std::vector<double>& values) {
+      std::string text;
+      for (const double v : values) text += fmt::format("{}{:.4f}", text.empty() ? "" : ", ", v);
+      return text;
+    };
+    fmt::print("    Curve{{{{{}}},\n          {{{}}}}},  // {}\n", list(model.curves[t].at), list(model.curves[t].odds), kNames[t]);
+  }
+  fmt::print("}};\n");
+  return 0;
+}
