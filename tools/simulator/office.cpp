@@ -54,6 +54,7 @@ Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied, 
     Office office =
         build_shell(Random(seed, static_cast<std::uint64_t>(attempt)).next(), inventory, 1 + 0.05 * attempt, varied);
     if (!furnish(office, inventory, kind)) continue;
+    if (varied) divide(office, seed);
     if (kind == RoomKind::home) office.scene.classify("radiator", ObjectClass::radiator);
     return office;
   }

@@ -93,6 +93,9 @@ void add_floor_clutter(Office& office);
 /// A person of ellipsoids; seated ones have their hips at the frame's origin and look along -y.
 void draw_person(Office& office, const Brush& brush, bool seated);
 
+/// Columns and partitions where there is space left.
+void divide(Office& office, std::uint64_t seed);
+
 /// The whole room; tries again, a little larger, until everything of the inventory fits.
 /// Throws std::invalid_argument for an inventory no room can hold.
 [[nodiscard]] Office make_office(std::uint64_t seed, const Inventory& inventory, bool varied = false, RoomKind kind = RoomKind::office);

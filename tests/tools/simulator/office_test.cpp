@@ -154,6 +154,25 @@ TEST(Office, VariedOnesHaveSizesThatUsualOnesHaveNot) {
   for (const int count : {low, high, soffits, raised, wide}) EXPECT_GE(count, 3);
 }
 
+TEST(Office, VariedOnesAreDividedByColumnsAndPartitionsThatStandFree) {
+  int columns = 0, partitions = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Office office = make_office(seed, draw_inventory(seed), true);
+    for (const Object& wall : of_class(office, ObjectClass::wall)) {
+      columns += wall.thing.starts_with("column");
+      if (!wall.thing.starts_with("partition")) continue;
+      ++partitions;
+      EXPECT_LT(wall.centroid.z(), 0.5 * office.height) << "a partition ends below the ceiling";
+      EXPECT_NEAR(wall.normal.z(), 0, 1e-9);
+      for (const Desk& desk : office.desks) EXPECT_FALSE(over(desk, wall.centroid, 0)) << "seed " << seed;
+      for (const Eigen::Vector2d& stand : office.stands) EXPECT_GT((wall.centroid.head<2>() - stand).norm(), 0.3);
+    }
+  }
+  EXPECT_GT(columns, 20);
+  EXPECT_GT(partitions, 20);
+  for (const Object& wall : of_class(make_office(3, draw_inventory(3)), ObjectClass::wall)) EXPECT_FALSE(wall.thing.starts_with("partition"));
+}
+
 TEST(Office, StandsAreFarFromEverythingSolid) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     const Office office = make_office(seed, draw_inventory(seed));
