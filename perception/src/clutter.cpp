@@ -9,36 +9,16 @@
 namespace scenelore::perception {
 namespace {
 
-constexpr double kAgreeing = 0.9;        // cosine of 26 degrees
-constexpr double kSupport = 0.45;        // share of the judged points whose surroundings must agree
 constexpr double kFlatterThan = 0.997;   // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
 constexpr double kSteeperThan = 0.64;    // cosine of 50 degrees: an edge
 constexpr double kStep = 0.4;            // voxels, 2 cm
 constexpr double kLargestBent = 2.0;    // m²
 constexpr double kContact = 0.2;         // share of a region's border cells that must continue into the neighbour
 
-/// Points whose 15 cm surroundings lie like the region, be they flat or noisy, and all points with surroundings to judge.
-struct Support {
-  double agreeing = 0, judged = 0;
-};
-
 struct Judge {
   const VoxelGrid& grid;
-  const std::vector<LocalSurface>& surfaces;
   const Slots& slots;
   const std::vector<PlaneFit>& planes;
-
-  std::vector<Support> support() const {
-    std::vector<Support> result(planes.size());
-    for (std::size_t s = 0; s < slots.count(); ++s) {
-      const std::int32_t r = slots.region[s];
-      const LocalSurface& around = surfaces[slots.voxel[s]];
-      if (r < 0 || around.normal.isZero()) continue;  // too few points to say anything
-      result[r].judged += slots.moments[s].n;
-      if (std::abs(around.normal.dot(planes[r].normal)) > kAgreeing) result[r].agreeing += slots.moments[s].n;
-    }
-    return result;
-  }
 
   /// Slots of regions small enough to be bent, as heights over their planes.
   std::vector<bool> bent() const {
@@ -92,19 +72,10 @@ struct Judge {
 
 }  // namespace
 
-void drop_clutter(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, Slots& slots, std::vector<PlaneFit>& planes) {
-  const Judge judge{grid, surfaces, slots, planes};
+void drop_clutter(const VoxelGrid& grid, Slots& slots, std::vector<PlaneFit>& planes) {
+  const Judge judge{grid, slots, planes};
   const std::size_t count = planes.size();
-  const std::vector<Support> support = judge.support();
-  const std::vector<bool> bent = judge.bent();
-  std::vector<bool> dropped(count, false);
-  for (std::size_t r = 0; r < count; ++r) {
-    const PlaneFit& plane = planes[r];
-    if (plane.count == 0) continue;
-    const bool narrow = plane.variances[1] < 9 * plane.variances[0];
-    const bool unlike = support[r].judged > 10 && support[r].agreeing < kSupport * support[r].judged;
-    dropped[r] = narrow || unlike || bent[r];
-  }
+  std::vector<bool> dropped = judge.bent();
   std::vector<int> border;
   const auto contacts = judge.contacts(border);
   for (const auto& [pair, voxels_in_contact] : contacts) {

@@ -26,6 +26,10 @@ constexpr double kFewestToGrow = 12;    // points of a region while it is still 
 // scene of few voxels is one of small things, which need more.
 constexpr std::int64_t kFewestSampled = 8, kMostSampled = 64, kWantedSample = 300'000;
 
+// Exact planes in a cloud that is not: where distances are rounded, each step of them is one, across the line of sight. Large ones are surfaces
+// that stand so.
+constexpr double kLargeStep = 0.5;  // m²
+
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
 // hardly any.
 constexpr double kFace = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
@@ -68,6 +72,7 @@ class Finder {
   void grow_coarser();
   void merge();
   void assign();
+  void drop_steps();
   void give_up();
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
@@ -157,6 +162,15 @@ void Finder::merge() {
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
 }
 
+/// Frees what only the sensor's rounding made planar.
+void Finder::drop_steps() {
+  if (found_.noise < 5 * kExactDeviation) return;
+  for (std::int32_t& r : slots_.region) {
+    if (r >= 0 && planes_[r].rmse() < kExactDeviation && planes_[r].spread_area() < kLargeStep) r = -1;
+  }
+  refit(slots_, planes_);
+}
+
 /// What is more likely clutter, a sliver or two faces under one plane is given up, unless somebody wants to learn from it.
 void Finder::give_up() {
   begin("faces");
@@ -186,7 +200,7 @@ FoundRegions Finder::run() {
   merge();
   bridge_shadows(found_.limits.max_plane_distance / 3, kLargePlane, slots_, planes_);
   begin("clutter");
-  drop_clutter(voxels_.grid, surfaces_, slots_, planes_);
+  drop_clutter(voxels_.grid, slots_, planes_);
   assign();  // what clutter held may belong to what is left
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
@@ -199,6 +213,7 @@ FoundRegions Finder::run() {
   join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), regions); });
+  drop_steps();
   give_up();
   begin("promises");
   separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_);

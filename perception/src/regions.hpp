@@ -24,6 +24,9 @@ struct Limits {
 /// m²; walls, floors and ceilings: their pieces are joined across shadows, those of tables are not.
 inline constexpr double kLargePlane = 2.5;
 
+/// Metres; no ranging sensor is that good. What deviates less is part of an exact cloud, or a step of rounded distances.
+inline constexpr double kExactDeviation = 0.0002;
+
 struct Regions {
   std::vector<std::int32_t> of_point;  ///< −1 = none
   std::vector<PlaneFit> planes;        ///< in the cloud's offsets

@@ -11,7 +11,6 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kLeastNoise = 0.0015;  // metres
-constexpr double kRounded = 0.0002;     // metres; no ranging sensor is that good
 constexpr double kLowerLevel = 0.3;     // of the points of the main level
 constexpr double kWindow = 0.006;       // metres, width of a peak of heights
 constexpr double kMostSlope = 0.026;    // 1.5 degrees
@@ -137,7 +136,7 @@ std::optional<Support> make_support(const Cloud& cloud, const PlaneFit& plane, c
   const double c = plane.normal.dot(up);
   support.level = std::abs(c) > kLevel;
   // Exact planes across the line of sight are steps of rounded distances; the next step is no board.
-  if (!support.level && plane.rmse() < kRounded) return std::nullopt;
+  if (!support.level && plane.rmse() < kExactDeviation) return std::nullopt;
   const std::optional<bool> faces = support.level ? c > 0 : faces_the_room(cloud, plane, points);
   if (!faces) return std::nullopt;
   // Things on a table tip the plane fitted to both; the table itself is level.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "planar_scenes.hpp"
@@ -193,6 +194,24 @@ TEST(Segment, KeepsThingsOfTwoHeightsApartBesideNoisyWalls) {
     EXPECT_GT(best[3], 0.7) << "seed " << seed;
     EXPECT_GT(best[4], 0.7) << "seed " << seed;
   }
+}
+
+// Depth in steps makes small exact planes across the line of sight where a noisy surface runs through a step.
+TEST(Segment, TakesSmallExactPlanesForStepsOfRoundingUnlessAllIsExact) {
+  const auto planes_with = [](double noise, const Eigen::Vector3d& side) {
+    Scene scene = room(noise);
+    Random random(3);
+    scene.add_rectangle({1.5, 1.5, 1.4}, side, {0, 0, side.y()}, 2500, 0, 7, random);
+    const Segmentation found = segment(scene.cloud);
+    std::map<int, int> owner;
+    for (std::size_t i = 0; i < scene.truth.size(); ++i) {
+      if (scene.truth[i] == 7) ++owner[found.plane_of_point[i]];
+    }
+    return std::max_element(owner.begin(), owner.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  };
+  EXPECT_EQ(planes_with(0.01, {0, 0.4, 0}), -1);
+  EXPECT_GE(planes_with(0.01, {0, 0.9, 0}), 0) << "a surface that stands across the line of sight";
+  EXPECT_GE(planes_with(0, {0, 0.4, 0}), 0) << "all is exact";
 }
 
 TEST(Segment, DoesNotTakeABallForAPlane) {
