@@ -196,7 +196,8 @@ std::vector<std::string> used_relations(const kb::Knowledge& knowledge, const Ru
   for (const kb::ClassConstraint& row : knowledge.constraints) {
     if (!row.enabled || !row.relation) continue;
     if (!std::binary_search(known.begin(), known.end(), *row.relation)) {
-      throw Error(row_name(row) + ": there is no relation '" + *row.relation + "'" + did_you_mean(*row.relation, known));
+      throw Error(row_name(row) + ": there is no relation '" + *row.relation + "'" + did_you_mean(*row.relation, known) +
+                  "; write rules/" + *row.relation + ".lua beside the knowledge base, or change or delete the row");
     }
     used.push_back(*row.relation);
   }
