@@ -13,11 +13,17 @@ namespace scenelore::kb {
 
 namespace {
 
-constexpr int kStarts = 4, kSteps = 100;
+constexpr int kStarts = 8, kSteps = 100;
+constexpr double kLeast = 0.005;         // of the range: no kind is sharper
+// Of shares, which are counted from a few dozen samples: most are 0 or 1 in clean scans, and kinds that are made of exact zeros say nothing about
+// a scan where one sample is odd.
+constexpr double kLeastOfShare = 0.03;
 constexpr double kDone = 1e-4;           // gain of a step, nats an example
 constexpr double kVarianceExamples = 4;  // pretended, with a tenth of the class's variance
 constexpr double kVarianceShare = 0.1;
 constexpr double kMeanExamples = 1;      // pretended, at the class's mean
+
+bool is_share(const Feature& feature) { return feature.scale == Scale::linear && feature.unit == "1" && feature.low == 0 && feature.high == 1; }
 
 /// What is known of one feature of one kind.
 struct Normal {
@@ -226,7 +232,7 @@ std::vector<ClassKind> fit_kinds(const std::string& object_class, std::vector<Ki
   });
   Data data{.examples = std::move(examples), .all = {}, .least = {}};
   for (std::size_t f = 0; f < features.size(); ++f) {
-    data.least.push_back(std::pow(range_on_scale(*features[f]) / 200, 2));
+    data.least.push_back(std::pow(range_on_scale(*features[f]) * (is_share(*features[f]) ? kLeastOfShare : kLeast), 2));
     data.all.push_back(normal_of(data.examples, f));
     data.all.back().variance = std::max(data.all.back().variance, data.least.back());
   }

@@ -134,6 +134,35 @@ TEST(LearnKinds, TellsClassesApartThatNoSingleFeatureDoes) {
   EXPECT_NEAR(shares, LearnOptions{}.kind_share, 1e-12);
 }
 
+// Whole tables are long, their scraps short; unknown things are short at any height.
+LabelledPlanes with_scraps(int each, const std::string& class_of_scraps, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> spread(0, 0.1);
+  std::uniform_real_distribution<double> anywhere(0, 3);
+  LabelledPlanes planes{{{"height", "length"}, {}}, {}};
+  const auto add = [&](double height, double length, const std::string& object_class) {
+    planes.features.values.push_back({height, length});
+    planes.classes.push_back(object_class);
+  };
+  for (int i = 0; i < each; ++i) {
+    add(1 + spread(random), std::exp(1 + spread(random)), "table");
+    add(1 + spread(random), std::exp(-1 + 3 * spread(random)), class_of_scraps);
+    add(anywhere(random), std::exp(-1 + 3 * spread(random)), "unknown");
+  }
+  return planes;
+}
+
+TEST(LearnKinds, GiveScrapsTheirOwnKindSoThatTheUnknownDoesNotClaimThem) {
+  const Knowledge learned = with_rows(to_learn(), learn(to_learn(), with_scraps(60, "table", 1)));
+  const Knowledge left_out = with_rows(to_learn(), learn(to_learn(), with_scraps(60, "", 1)));
+  const FeatureTable whole_and_scrap{{"height", "length"}, {{1, std::exp(1.0)}, {1, std::exp(-1.0)}}};
+  const auto with = preclassify(learned, whole_and_scrap), without = preclassify(left_out, whole_and_scrap);
+  EXPECT_GT(with[0][1], 0.95);
+  EXPECT_GT(without[0][1], 0.95);
+  EXPECT_GT(with[1][1], 0.7);  // among scraps and unknown things of this height most are scraps
+  EXPECT_LT(without[1][1], 0.05);  // what nobody taught is claimed by other classes with certainty
+}
+
 TEST(LearnKinds, MakesNoKindOfAFewWrongLabels) {
   LabelledPlanes planes = crossed(30, 1);
   for (int i = 0; i < 3; ++i) {
@@ -145,6 +174,22 @@ TEST(LearnKinds, MakesNoKindOfAFewWrongLabels) {
   for (const ClassKind& kind : rows.classes[1].kinds) {
     EXPECT_LT(kind.features[0].mean, 3) << "kind " << kind.number;
     EXPECT_GT(kind.share * 63, 4) << "kind " << kind.number;
+  }
+}
+
+// A clean scan has free edges of exactly none: one odd sample in thirty must not make a plane something else.
+TEST(LearnKinds, AreNoSharperInSharesThanCountingIs) {
+  Knowledge k = to_learn();
+  k.features[0] = {"edge_free", "1", Scale::linear, 0, 1, 1, ""};
+  LabelledPlanes planes = crossed(30, 1);
+  planes.features.names[0] = "edge_free";
+  for (std::size_t i = 0; i < planes.classes.size(); ++i) planes.features.values[i][0] = planes.classes[i] == "table" || i % 4 != 1 ? 0 : 0.5;
+  k.class_features.clear();
+  const LearnedRows rows = learn(k, planes);
+  ASSERT_GE(rows.classes[1].kinds.size(), 2U);
+  for (const ClassKind& kind : rows.classes[1].kinds) {
+    EXPECT_GE(kind.features[0].sigma, 0.03 - 1e-12);
+    EXPECT_LT(kind.features[1].sigma, 0.3) << "sizes stay as sharp as they are";
   }
 }
 

@@ -12,8 +12,8 @@
 
 namespace scenelore::kb {
 
-/// What is learned from: one row of features and one class a plane. Leave scraps of planes out beforehand: a sliver of
-/// a wall teaches that walls are small.
+/// What is learned from: one row of features and one class a plane. Scraps of planes belong to it where such planes will be labelled, too: they make
+/// kinds of their own, and what is left out of a class is learned as what is unknown. Leave them out where a thing shows whole on one plane.
 struct LabelledPlanes {
   FeatureTable features;
   std::vector<std::string> classes;  ///< one a plane; empty = not known, left out
