@@ -169,9 +169,8 @@ INSERT INTO class_constraint (name, class, quantifier, relation, other_class, co
   ('ceiling_over_floor',    'ceiling',     'every',    'parallel', 'floor',     NULL, 2.5, 'a ceiling is parallel to the floor'),
   ('wall_upright',          'wall',        'every',    'orthogonal', 'floor',   NULL, 3.0, 'a wall is orthogonal to the floor'),
   ('wall_meets_ceiling',    'wall',        'every',    'orthogonal', 'ceiling', NULL, 1.5, 'a wall is orthogonal to the ceiling'),
-  ('wall_square',           'wall',        'some',     'square_to',  'wall',    NULL, 0.5, 'a wall runs parallel or at a right angle to another'),
   ('wall_beside_wall',      'wall',        'some',     'near',       'wall',    NULL, 0.3, 'a wall goes on into the next one'),
-  ('wall_at_corner',      'wall',        'some',     'meets_at_corner', 'wall', NULL, 0.5, 'a wall meets another at a corner of the room'),
+  ('wall_at_corner',        'wall',        'some',     'meets_at_corner', 'wall', NULL, 0.5, 'a wall meets another at a corner of the room'),
 -- tables and what stands on them
   ('table_level',           'table',       'every',    'parallel',   'floor',       NULL, 3.0, 'a table top is parallel to the floor'),
   ('table_over_floor',      'table',       'no',       'under',      'floor',       NULL, 4.0, 'a table is not under a floor'),
@@ -198,6 +197,7 @@ INSERT INTO class_constraint (name, class, quantifier, relation, other_class, co
   ('whiteboard_along_wall', 'whiteboard',  'some',     'parallel', 'wall',      NULL, 2.0, 'a whiteboard is parallel to a wall'),
   ('shelf_not_on_table',    'shelf',       'no',       'above',    'table',     NULL, 0.7, 'shelves seldom stand on tables'),
   ('shelf_near_shelf',      'shelf',       'some',     'near',     'shelf',     NULL, 1.0, 'a shelf has several boards'),
+  ('cabinet_of_faces',      'cabinet',     'some',     'touching', 'cabinet',   NULL, 0.5, 'of a cabinet more than one face is seen'),
   ('cabinet_near_wall',     'cabinet',     'some',     'near',     'wall',      NULL, 0.5, 'a cabinet mostly stands near a wall'),
   ('cabinet_not_on_table',  'cabinet',     'no',       'above',    'table',     NULL, 1.0, 'no cabinet stands on a table');
 

@@ -62,7 +62,7 @@ TEST_F(Packs, AreNotNeededForANewClassRowsAloneDo) {
   ASSERT_EQ(scenelore({"run", "@room.ply"}).code, 0);
   EXPECT_EQ(ask("room.gpkg", "SELECT count(*) FROM label WHERE class IN ('sofa', 'radiator')"), "0\n");
   edit("room.gpkg",
-       "INSERT INTO object_class (id, name, prior) VALUES (40, 'sofa', 0.02), (43, 'radiator', 0.05);"
+       "INSERT INTO object_class (id, name, prior) VALUES (40, 'sofa', 0.02), (43, 'radiator', 0.02);"
        "INSERT INTO class_feature (class, feature, mean, sigma) VALUES "
        "('sofa', 'tilt_deg', 1, 3), ('sofa', 'height', 0.43, 0.05), ('sofa', 'z_min', 0.42, 0.05), ('sofa', 'z_max', 0.44, 0.05), "
        "('sofa', 'spread_length', 0.41, 0.25), ('sofa', 'aspect', 0.83, 0.3), "
