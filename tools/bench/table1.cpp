@@ -22,6 +22,7 @@ const std::vector<std::string> kStructure{"floor", "ceiling", "wall"};
 struct Scores {
   std::map<std::string, ClassScore> before, after;
   std::vector<double> f1_before, f1_after;  ///< over the three classes, one a set
+  evaluation::Evaluation all;
   double solve_seconds = 0;
   std::size_t not_proved = 0;
 };
@@ -38,6 +39,7 @@ void score_room(const experiment::Room& room, Mode& mode, rules::RuleSet& rules,
   const experiment::Labelling labelling = experiment::label_planes(mode.knowledge, rules, room.record, room.planes);
   mode.scores.solve_seconds = std::max(mode.scores.solve_seconds, labelling.run.seconds);
   mode.scores.not_proved += labelling.run.outcome != "proved";
+  mode.scores.all += evaluation::evaluate({room.plane_of_point, labelling.before, labelling.after}, room.objects, "unknown");
   for (const auto* list : {&kPaperClasses, &kStructure}) {
     for (const std::string& name : *list) {
       before[name] += evaluation::score_class(room.objects, room.truth, labelling.before.classes, name);
@@ -78,6 +80,12 @@ void print_row(const std::string& name, const ClassScore& before, const ClassSco
              after.true_positive, after.false_positive, after.false_negative(), precision(after), recall(after), f1(after));
 }
 
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   if (values.empty()) return 0;
@@ -92,8 +100,13 @@ void print_mode(const Mode& mode) {
   for (const std::string& name : kPaperClasses) print_row(name, scores.before.at(name), scores.after.at(name));
   print_row("all three", total(scores.before, kPaperClasses), total(scores.after, kPaperClasses));
   for (const std::string& name : kStructure) print_row(name, scores.before.at(name), scores.after.at(name));
-  fmt::print("F1 per set of six rooms: median {:.3f} before, {:.3f} after ({:.3f}); slowest search {:.1f} ms, {} not proved\n",
-             median(scores.f1_before), median(scores.f1_after), fmt::join(scores.f1_after, ", "), 1e3 * scores.solve_seconds, scores.not_proved);
+  fmt::print("F1 per set of six rooms: mean {:.3f} before, {:.3f} after, median {:.3f} and {:.3f} ({:.3f}); slowest search {:.1f} ms, {} not proved\n",
+             mean(scores.f1_before), mean(scores.f1_after), median(scores.f1_before), median(scores.f1_after), fmt::join(scores.f1_after, ", "),
+             1e3 * scores.solve_seconds, scores.not_proved);
+  auto points = evaluation::point_scores(scores.all.after.points);
+  fmt::print("after constraints: IoU of points: floor {:.3f}, ceiling {:.3f}, wall {:.3f}; points with the right class {:.3f}; expected calibration error {:.3f}\n",
+             points["floor"].iou(), points["ceiling"].iou(), points["wall"].iou(), evaluation::overall_accuracy(scores.all.after.points),
+             scores.all.after.calibration.ece());
 }
 
 }  // namespace
