@@ -311,7 +311,7 @@ void real_scans(Lab& lab, const fs::path& folder) {
   }
   lab.report += title_of("Real scans");
   lab.write("Labelled scans of the development collection ({}); points without a label are not judged, a chair counts as found when any part of it is. "
-            "Segmentation, two settings, how up is weighed, how much features may weigh, the feature behind and two rows about walls were chosen with an eye on these scans, no density was learned from them.\n\n```text\n{}```\n",
+            "Segmentation, two settings, how up is weighed, how much features may weigh, how sharp kinds are in shares, columns and partitions of varied rooms, the feature behind and which rows speak of walls were chosen with an eye on these scans, no density was learned from them.\n\n```text\n{}```\n",
             names, to_text(sum, {.title = "real scans", .classes = {}}));
 }
 
