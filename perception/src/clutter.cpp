@@ -12,7 +12,8 @@ namespace {
 constexpr double kFlatterThan = 0.997;   // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
 constexpr double kSteeperThan = 0.64;    // cosine of 50 degrees: an edge
 constexpr double kStep = 0.4;            // voxels, 2 cm
-constexpr double kLargestBent = 2.0;    // m²
+constexpr double kLargestBent = 2.0;     // m²
+constexpr double kLargestFacet = 0.35;   // m²
 constexpr double kContact = 0.2;         // share of a region's border cells that must continue into the neighbour
 
 struct Judge {
@@ -81,7 +82,7 @@ void drop_clutter(const VoxelGrid& grid, Slots& slots, std::vector<PlaneFit>& pl
   for (const auto& [pair, voxels_in_contact] : contacts) {
     const auto [r, other] = pair;
     // The largest facet stays, as the best plane that can be given; large planes do not become doubtful by their neighbours.
-    if (planes[r].spread_area() > 0.35 || planes[r].count > planes[other].count) continue;
+    if (planes[r].spread_area() > kLargestFacet || planes[r].count > planes[other].count) continue;
     if (voxels_in_contact > kContact * border[r]) dropped[r] = true;
   }
   for (std::int32_t& r : slots.region) {

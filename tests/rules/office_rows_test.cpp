@@ -20,7 +20,7 @@ std::vector<std::string> labels(const std::string& row, const std::string& named
   const test::TemporaryFolder folder;
   kb::Knowledge knowledge = kb::KnowledgeBase::create(folder / "office.gpkg", "office").knowledge();
   std::erase_if(knowledge.constraints, [&](const kb::ClassConstraint& c) { return c.name != row; });
-  EXPECT_EQ(knowledge.constraints.size(), 1U) << row;
+  if (knowledge.constraints.size() != 1) return {"no row " + row};
   knowledge.composites.clear();
   RuleSet rules = RuleSet::load();
   const Scene scene = make_scene(made);
