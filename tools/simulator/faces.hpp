@@ -16,9 +16,9 @@ struct Face {
 };
 
 /// Two flat shapes are of one face when no corner of either is further than this from the other's plane, their normals
-/// differ by less than half a degree, and they come as near to each other as `kFaceGap`. No sensor that scatters by a
-/// centimetre tells such steps.
-inline constexpr double kFaceStep = 0.005, kFaceGap = 0.02;  // metres
+/// differ by less than half a degree, and they come as near to each other as `kFaceGap`. Where a sensor scatters by a centimetre, hundreds
+/// of points tell a step of a few millimetres, those of less nothing does.
+inline constexpr double kFaceStep = 0.002, kFaceGap = 0.02;  // metres
 
 /// Sets `face` of each shape to the index of its face; −1 for curved ones.
 [[nodiscard]] std::vector<Face> number_faces(std::vector<Shape>& shapes);
