@@ -7,6 +7,7 @@
 #include "absorb.hpp"
 #include "clutter.hpp"
 #include "face_model.hpp"
+#include "flush_faces.hpp"
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
@@ -72,6 +73,7 @@ class Finder {
   void grow_coarser();
   void merge();
   void assign();
+  [[nodiscard]] std::vector<float> weights_of_sample() const;
   void drop_steps();
   void give_up();
   template <typename Judge>
@@ -162,6 +164,16 @@ void Finder::merge() {
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
 }
 
+/// For how many points of the cloud each one of the sample stands.
+std::vector<float> Finder::weights_of_sample() const {
+  std::vector<float> weights;
+  weights.reserve(sample_.points.size());
+  for (const std::uint32_t v : sample_.voxels.of_point) {
+    weights.push_back(static_cast<float>(voxels_.fixed[v].n) / static_cast<float>(sample_.voxels.fixed[v].n));
+  }
+  return weights;
+}
+
 /// Frees what only the sensor's rounding made planar.
 void Finder::drop_steps() {
   if (found_.noise < 5 * kExactDeviation) return;
@@ -204,15 +216,18 @@ FoundRegions Finder::run() {
   assign();  // what clutter held may belong to what is left
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
+  const Eigen::Vector3d up = found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ();
   const bool in_detail = found_.voxel < kCoarsestForThings;
   begin("gaps");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_at_gaps(sample_.cloud, found_.limits, regions); });
+  begin("flush faces");
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_flush_faces(sample_.cloud, weights_of_sample(), up, regions); });
   const std::size_t supports = planes_.size();
   begin("thin objects");
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
-  join_level_pieces(pyramid_, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), supports, slots_, planes_);
+  join_level_pieces(pyramid_, up, supports, slots_, planes_);
   begin("outlines");
-  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ(), regions); });
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();
   give_up();
   begin("promises");
