@@ -11,7 +11,8 @@ constexpr double kParallel = 0.94;      // cosine of 20 degrees
 constexpr double kFlatterThan = 0.997;  // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
 constexpr double kSteeperThan = 0.64;   // cosine of 50 degrees: an edge
 constexpr double kStep = 0.4;           // voxels
-constexpr double kFar = 8;              // deviations
+constexpr double kFar = 8;              // deviations; of things, centimetres
+constexpr double kThingUnit = 0.01;     // metres
 constexpr double kBefore = 0.8;         // voxels along the normal: what lies beside is no layer
 
 // What is thinner, smoother or more even than this is no less a face. In simulated scans hardly anything is, but slivers of rounded
@@ -34,8 +35,8 @@ struct Owner {
 class Measure {
  public:
   Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
-          const std::vector<PlaneFit>& planes)
-      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), tally_(planes.size()), owner_(grid.count()) {}
+          const std::vector<PlaneFit>& planes, const Things& things)
+      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), things_(things), tally_(planes.size()), owner_(grid.count()) {}
 
   std::vector<FaceTraits> run() {
     for (std::size_t v = 0; v < grid_.count(); ++v) choose_owner(v);
@@ -51,11 +52,13 @@ class Measure {
   }
 
  private:
-  /// Deviations between a region's points at `middle` and another region, where that is a larger one and almost parallel; else kFar.
+  /// Deviations between a region's points at `middle` and another region, where that is a larger one and almost parallel; else kFar. Of things, which
+  /// lie as high on a desk in a noisy scan as in others, centimetres.
   [[nodiscard]] double layer(std::int32_t region, std::int32_t other, const Eigen::Vector3d& middle) const {
     const PlaneFit &plane = planes_[region], &larger = planes_[other];
     if (larger.count <= plane.count || std::abs(plane.normal.dot(larger.normal)) < kParallel) return kFar;
-    return std::min(kFar, std::abs(larger.distance(middle)) / std::max(noise_[other], larger.rmse()));
+    const double unit = things_.hold(static_cast<std::size_t>(region)) ? kThingUnit : std::max(noise_[other], larger.rmse());
+    return std::min(kFar, std::abs(larger.distance(middle)) / unit);
   }
   void within(std::size_t v);
   [[nodiscard]] double nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const;
@@ -68,6 +71,7 @@ class Measure {
   const std::vector<double>& noise_;
   const Slots& slots_;
   const std::vector<PlaneFit>& planes_;
+  Things things_;
   std::vector<Tally> tally_;
   std::vector<Owner> owner_;
 };
@@ -156,7 +160,9 @@ FaceTraits Measure::traits(std::size_t r) const {
   set(Trait::agreeing, t.judged > 0 ? t.agreeing / t.judged : 0.5);
   set(Trait::unevenness, std::max(kEven, std::log10(1 + t.uneven / (std::max(1.0, t.voxels - 3) * noise * noise))));
   set(Trait::fill, std::min(4.0, t.voxels * grid_.size * grid_.size / area));
-  set(Trait::layer, kFar - t.nearer / std::max(1.0, t.voxels));
+  const double nearest = kFar - t.nearer / std::max(1.0, t.voxels);
+  set(Trait::layer, things_.hold(r) ? kFar : nearest);
+  set(Trait::over, things_.hold(r) ? nearest : kFar);
   set(Trait::contact, std::min(1.0, t.contact / std::max(1.0, t.border)));
   set(Trait::left, t.left / all);
   set(Trait::foreign, t.foreign / all);
@@ -166,8 +172,8 @@ FaceTraits Measure::traits(std::size_t r) const {
 }  // namespace
 
 std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise_of_region,
-                                    const Slots& slots, const std::vector<PlaneFit>& planes) {
-  return Measure(grid, surfaces, noise_of_region, slots, planes).run();
+                                    const Slots& slots, const std::vector<PlaneFit>& planes, const Things& things) {
+  return Measure(grid, surfaces, noise_of_region, slots, planes, things).run();
 }
 
 }  // namespace scenelore::perception

@@ -20,16 +20,24 @@ enum class Trait : std::uint8_t {
   agreeing,   ///< share of the points whose 15 cm surroundings lie like the region
   unevenness, ///< log10 of (1 + mean squared deviation of voxel means, in units of what chance allows); at least 0.3
   fill,       ///< area of its voxels over the area that it spreads over
-  layer,      ///< distance from larger, almost parallel planes before or behind it, in their deviations; 8 = far, or none; mean of its voxels
+  layer,      ///< distance from larger, almost parallel planes before or behind it, in their deviations; 8 = far, none, or found as a thing; mean of its voxels
+  over,       ///< the same of what was found as a thing on a plane, in centimetres, 8 for all others: layers of scatter are seldom found so
   contact,    ///< share of its border voxels that go on into another region at a slope
   left,       ///< share of the points in its voxels that no plane explains
   foreign,    ///< share of the points in its voxels that are other planes'
 };
-inline constexpr std::size_t kTraits = 12;
+inline constexpr std::size_t kTraits = 13;
 using FaceTraits = std::array<double, kTraits>;
+
+/// Numbers of the regions that thin_objects.hpp made.
+struct Things {
+  std::size_t first = 0, end = 0;
+  [[nodiscard]] bool hold(std::size_t region) const { return region >= first && region < end; }
+};
 
 /// One row a region; zeros for those without points. `noise_of_region`: metres, see merge.hpp.
 [[nodiscard]] std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces,
-                                                  const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes);
+                                                  const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes,
+                                                  const Things& things = {});
 
 }  // namespace scenelore::perception

@@ -33,7 +33,8 @@ constexpr double kLargeStep = 0.5;  // m²
 
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
 // hardly any.
-constexpr double kFace = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
+// What was found as a thing on a plane has its own evidence already, and is what labels need most: keyboards are thin layers to every trait.
+constexpr double kFace = 0.3, kThing = 0.2, kLargeFace = 0.1, kLarge = 2;  // m²
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -93,6 +94,7 @@ class Finder {
   Pyramid pyramid_;
   Slots slots_;
   std::vector<PlaneFit> planes_;
+  Things things_;
   std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
 };
 
@@ -187,7 +189,7 @@ void Finder::drop_steps() {
 void Finder::give_up() {
   begin("faces");
   const std::vector<FaceTraits> traits =
-      face_traits(voxels_.grid, surfaces_, noise_of_regions(slots_, noise_of_voxel_, 0, planes_.size()), slots_, planes_);
+      face_traits(voxels_.grid, surfaces_, noise_of_regions(slots_, noise_of_voxel_, 0, planes_.size()), slots_, planes_, things_);
   if (unjudged_ != nullptr) {
     *unjudged_ = {traits, sample_.points, {}};
     for (const std::uint32_t s : slot_of_point_) unjudged_->region_of_point.push_back(slots_.region[s]);
@@ -195,7 +197,7 @@ void Finder::give_up() {
   }
   std::vector<bool> given_up(planes_.size());
   for (std::size_t r = 0; r < planes_.size(); ++r) {
-    const double least = planes_[r].spread_area() < kLarge ? kFace : kLargeFace;
+    const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : things_.hold(r) ? kThing : kFace;
     given_up[r] = planes_[r].count > 0 && face_probability(traits[r]) < least;
     if (given_up[r]) planes_[r] = PlaneFit();
   }
@@ -225,6 +227,7 @@ FoundRegions Finder::run() {
   const std::size_t supports = planes_.size();
   begin("thin objects");
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
+  things_ = {supports, planes_.size()};
   join_level_pieces(pyramid_, up, supports, slots_, planes_);
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });

@@ -20,7 +20,7 @@ using V = Eigen::Vector3d;
 double of(const FaceTraits& traits, Trait trait) { return traits[static_cast<std::size_t>(trait)]; }
 
 /// A floor, and over a corner of it a smaller plane at this height.
-std::vector<FaceTraits> floor_and_plane_above(double height) {
+std::vector<FaceTraits> floor_and_plane_above(double height, const Things& things = {}) {
   Scene scene;
   Random random(3);
   scene.add_rectangle(V(0, 0, 0), V(2, 0, 0), V(0, 2, 0), 4000, 0.005, 0, random);
@@ -40,7 +40,7 @@ std::vector<FaceTraits> floor_and_plane_above(double height) {
   const Slots slots = assign_points(scene.cloud, voxels.grid, voxels, all, both, rule, 1, slot_of_point);
   std::vector<PlaneFit> planes(2);
   refit(slots, planes);
-  return face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes);
+  return face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, things);
 }
 
 TEST(FaceTraits, TellALayerFromAPlaneFurtherUp) {
@@ -50,6 +50,14 @@ TEST(FaceTraits, TellALayerFromAPlaneFurtherUp) {
   EXPECT_EQ(of(far[1], Trait::layer), 8);
   EXPECT_EQ(of(far[1], Trait::foreign), 0);
   EXPECT_EQ(of(near[0], Trait::layer), 8) << "the larger plane is nobody's layer";
+}
+
+TEST(FaceTraits, TellAThingOverAPlaneFromALayer) {
+  const std::vector<FaceTraits> layer = floor_and_plane_above(0.012), thing = floor_and_plane_above(0.012, {.first = 1, .end = 2});
+  EXPECT_EQ(of(layer[1], Trait::over), 8);
+  EXPECT_EQ(of(thing[1], Trait::layer), 8);
+  EXPECT_NEAR(of(thing[1], Trait::over), 1.2, 0.4) << "centimetres";
+  EXPECT_EQ(of(thing[0], Trait::over), 8);
 }
 
 TEST(FaceTraits, TakeWhatLiesBesideAPlaneForNoLayer) {

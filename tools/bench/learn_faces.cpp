@@ -19,7 +19,7 @@ using namespace scenelore;
 constexpr std::size_t kKnots = 9;
 constexpr double kPenalty = 4, kSame = 0.5;
 constexpr const char* kNames[perception::kTraits] = {"points", "area", "length", "thickness", "roughness", "agreeing", "unevenness",
-                                                     "fill", "layer", "contact", "left", "foreign"};
+                                                     "fill", "layer", "over", "contact", "left", "foreign"};
 
 std::vector<simulator::SimulationOptions> scans() {
   std::vector<simulator::SimulationOptions> out;
