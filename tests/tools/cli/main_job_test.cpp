@@ -162,6 +162,7 @@ TEST_F(MainJob, TakesAClassByRowsAlone) {
        "SELECT 'crate', 'height', height, 0.02 FROM plane WHERE id = " + plane +
        " UNION ALL SELECT 'crate', 'z_max', z_max, 0.02 FROM plane WHERE id = " + plane +
        " UNION ALL SELECT 'crate', 'tilt_deg', tilt_deg, 1 FROM plane WHERE id = " + plane +
+       " UNION ALL SELECT 'crate', 'width', ln(width), 0.05 FROM plane WHERE id = " + plane +
        " UNION ALL SELECT 'crate', 'area_m2', ln(area_m2), 0.05 FROM plane WHERE id = " + plane);
   const Finished finished = scenelore({"label", "@office.gpkg"});
   ASSERT_EQ(finished.code, 0) << finished.err;
