@@ -35,12 +35,13 @@ SegmentationScore& SegmentationScore::operator+=(const SegmentationScore& o) {
 namespace {
 
 constexpr std::size_t kFewestSeen = 50, kFewestOfKeyboard = 60;  // points
-constexpr double kNarrowest = 0.05;                              // metres
+constexpr double kNarrowest = 0.05, kThinnest = 0.03;            // metres; of what nobody looks for, and of what is looked for
 
 /// What is known of each face.
 struct FaceTruth {
   const simulator::TruthFace* face = nullptr;
   bool wanted = false, keyboard = false;
+  [[nodiscard]] bool looked_for() const { return wanted && face->width >= kThinnest; }
   [[nodiscard]] bool accepted() const { return wanted || (face->points >= kFewestSeen && face->width >= kNarrowest); }
 };
 
@@ -101,7 +102,7 @@ SegmentationScore score_segmentation(const simulator::SimulatedScan& scan, const
   for (const auto& [plane, overlap] : best_of_plane) score.right += overlap >= 0.5;
   for (const auto& [plane, count] : parts) score.joined += count > 1;
   for (std::size_t f = 0; f < truth.size(); ++f) {
-    if (!truth[f].wanted) continue;
+    if (!truth[f].looked_for()) continue;
     const auto [overlap, plane] = best_of_face[f];
     if (truth[f].keyboard) ++score.keyboards, score.keyboards_found += overlap >= 0.5;
     ++score.faces;
