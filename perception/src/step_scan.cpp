@@ -106,7 +106,7 @@ std::vector<CellRectangle> scan_for_steps(const HeightGrid& grid, const std::vec
           evidences[right] = information > kLeastShare * std::min(w, coarse.all - w) ? pull * pull / information : 0;
         }
         for (std::size_t right = left + 1; right <= columns; ++right) {
-          if (evidences[right] <= best) continue;
+          if (!(evidences[right] > best)) continue;  // nor what is no number
           best = evidences[right];
           where = {static_cast<int>(left), static_cast<int>(right), bottom, top};
         }
