@@ -110,20 +110,23 @@ HeightGrid Front::grid(std::span<const float> weight) const {
 /// The planes while they are parted.
 class Parting {
  public:
-  Parting(const Cloud& cloud, Regions& regions) : cloud_(cloud), regions_(regions), before_(regions.planes.size()) {
+  Parting(const Cloud& cloud, std::span<const float> weight, const Eigen::Vector3d& up, Regions& regions)
+      : cloud_(cloud), weight_(weight), up_(up), regions_(regions), before_(regions.planes.size()) {
     points_ = points_of_regions(regions.of_point, before_);
   }
 
-  void part(std::span<const float> weight, const Eigen::Vector3d& up);
+  void run();
 
  private:
-  void part(std::size_t r, std::span<const float> weight, const Eigen::Vector3d& up);
+  void part(std::size_t r);
   void take_out(const Front& front, const StepFace& face, std::size_t wall);
   [[nodiscard]] bool is_old(std::int32_t r) const { return r >= 0 && static_cast<std::size_t>(r) < before_; }
 
   const Cloud& cloud_;
+  std::span<const float> weight_;  // by point of the cloud
+  Eigen::Vector3d up_;
   Regions& regions_;
-  std::size_t before_;
+  std::size_t before_;  // regions
   std::vector<std::vector<std::uint32_t>> points_;
 };
 
@@ -143,14 +146,14 @@ void Parting::take_out(const Front& front, const StepFace& face, std::size_t wal
   regions_.planes.emplace_back();
 }
 
-void Parting::part(std::size_t r, std::span<const float> weight, const Eigen::Vector3d& up) {
+void Parting::part(std::size_t r) {
   const PlaneFit plane = regions_.planes[r];
   if (points_[r].size() < kFewest || plane.spread_area() < kSmallestWall) return;
-  Front front(cloud_, plane, points_[r], up);
+  Front front(cloud_, plane, points_[r], up_);
   for (std::size_t q = 0; q < before_; ++q) {
     if (q != r && !points_[q].empty()) front.add_guests(regions_.planes[q], points_[q]);
   }
-  StepFaceFinder finder(front.grid(weight), plane.rmse());
+  StepFaceFinder finder(front.grid(weight_), plane.rmse());
   int faces = 0;
   for (std::optional<StepFace> face = finder.next(); face && faces < kMostFaces; face = finder.next(), ++faces)
     take_out(front, *face, r);
@@ -159,18 +162,19 @@ void Parting::part(std::size_t r, std::span<const float> weight, const Eigen::Ve
   }
 }
 
-void Parting::part(std::span<const float> weight, const Eigen::Vector3d& up) {
+/// Those with most points first: what lies on a wall is looked for from the wall.
+void Parting::run() {
   std::vector<std::size_t> order(before_);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return points_[a].size() > points_[b].size(); });
-  for (const std::size_t r : order) part(r, weight, up);
+  for (const std::size_t r : order) part(r);
   if (regions_.planes.size() > before_) refit(cloud_, regions_);
 }
 
 }  // namespace
 
 void part_flush_faces(const Cloud& cloud, std::span<const float> weight, const Eigen::Vector3d& up, Regions& regions) {
-  Parting(cloud, regions).part(weight, up);
+  Parting(cloud, weight, up, regions).run();
 }
 
 }  // namespace scenelore::perception
