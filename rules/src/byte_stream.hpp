@@ -1,4 +1,4 @@
-// Values as bytes, for a pipe between two processes of this program.
+// Values as bytes, for a pipe between two processes of this program, and for answers that one run keeps for the next.
 #pragma once
 
 #include <cstring>

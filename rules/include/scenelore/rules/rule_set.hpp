@@ -88,6 +88,8 @@ struct KeptAnswers {
   std::map<std::string, kb::StoredAnswer> now = {};
 };
 
+class LoadedRules;
+
 /// The built-in files plus all *.lua below `directories` (but *_test.lua), in name order; a user's relation or feature
 /// replaces a built-in one of the same name. Each file of a user's runs in a sandboxed state of its own. Not safe for concurrent use.
 class RuleSet {
@@ -125,9 +127,8 @@ class RuleSet {
   [[nodiscard]] double degree(const std::string& relation, const Scene& scene, int a, int b) const;
 
  private:
-  struct Implementation;
-  explicit RuleSet(std::unique_ptr<Implementation> implementation);
-  std::unique_ptr<Implementation> implementation_;
+  explicit RuleSet(std::unique_ptr<LoadedRules> loaded);
+  std::unique_ptr<LoadedRules> loaded_;
 };
 
 }  // namespace scenelore::rules
