@@ -5,37 +5,23 @@
 #include <limits>
 #include <numeric>
 
-#include "cell_index.hpp"
-#include "seen_past.hpp"
+#include "gap.hpp"
 
 namespace scenelore::perception {
 namespace {
 
-constexpr double kLargest = 4;                      // m²
+constexpr double kLargest = 12;                     // m²
 constexpr double kWanted = 4;                       // points in a cell
 constexpr double kFinest = 0.03, kCoarsest = 0.08;  // metres
 constexpr double kDeviations = 2.5;                 // of a plane's points: what is further behind it is not on it
 constexpr double kLeastBehind = 0.01;               // metres
-constexpr double kSeenThrough = 0.5;                // share of the ways between two pieces
-constexpr double kShortest = 1.5;                   // cells between them
-constexpr double kBeside = 2;                       // cells: ways so much longer than the shortest one count as well
 
 /// The pieces of a view: held cells that touch.
 struct Pieces {
   std::vector<std::int32_t> of_cell;
-  std::vector<std::vector<std::size_t>> cells;
+  PieceCells cells;
   std::vector<double> points;
 };
-
-CellKey key_of(const PlaneView& view, const Eigen::Vector2d& p) {
-  return cell_key(static_cast<std::int64_t>(std::floor(p.x() / view.edge)), static_cast<std::int64_t>(std::floor(p.y() / view.edge)), 0);
-}
-
-CellIndex index_of(const PlaneView& view, const std::vector<Eigen::Vector2d>& places) {
-  std::vector<CellKey> keys;
-  for (const Eigen::Vector2d& p : places) keys.push_back(key_of(view, p));
-  return CellIndex(keys);
-}
 
 Pieces pieces_of(const PlaneView& view) {
   const CellIndex index = index_of(view, view.held);
@@ -63,46 +49,6 @@ Pieces pieces_of(const PlaneView& view) {
   }
   return pieces;
 }
-
-/// What lies between two pieces.
-class Gap {
- public:
-  Gap(const PlaneView& view, const Pieces& pieces) : view_(view), pieces_(pieces), empty_(index_of(view, view.empty)) {}
-
-  /// Metres between the middles of the nearest cells.
-  [[nodiscard]] double width(std::size_t a, std::size_t b) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t c : pieces_.cells[a]) least = std::min(least, nearest(c, b).first);
-    return least;
-  }
-  /// Whether most of the ways across that are about as short as the shortest one were looked through.
-  [[nodiscard]] bool seen_through(std::size_t a, std::size_t b) const {
-    const double shortest = width(a, b);
-    if (shortest < (1 + kShortest) * view_.edge) return false;
-    double through = 0, all = 0;
-    for (const std::size_t c : pieces_.cells[a]) {
-      const auto [distance, other] = nearest(c, b);
-      if (distance > shortest + kBeside * view_.edge) continue;
-      const int steps = static_cast<int>(std::ceil(distance / view_.edge));
-      for (int k = 1; k < steps; ++k, ++all) {
-        const Eigen::Vector2d p = view_.held[c] + (view_.held[other] - view_.held[c]) * k / steps;
-        through += empty_.find(key_of(view_, p)) >= 0;
-      }
-    }
-    return through > kSeenThrough * all;
-  }
-
- private:
-  /// Metres to the nearest cell of a piece, and that cell.
-  [[nodiscard]] std::pair<double, std::size_t> nearest(std::size_t cell, std::size_t piece) const {
-    std::pair<double, std::size_t> best(std::numeric_limits<double>::infinity(), 0);
-    for (const std::size_t c : pieces_.cells[piece]) best = std::min(best, {(view_.held[c] - view_.held[cell]).squaredNorm(), c});
-    return {std::sqrt(best.first), best.second};
-  }
-  const PlaneView& view_;
-  const Pieces& pieces_;
-  CellIndex empty_;
-};
 
 /// By piece: the first piece of its part, one of `fewest` points at least. Pieces belong together unless their gap was
 /// seen through.
@@ -169,7 +115,7 @@ void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions) {
     if (std::count_if(pieces.points.begin(), pieces.points.end(), [&](double n) { return n >= limits.min_points; }) < 2) continue;
     look_past(cloud, plane, std::max(kDeviations * plane.rmse(), kLeastBehind), view);
     if (view.empty.empty()) continue;
-    renumber(view, pieces, parts_of(Gap(view, pieces), pieces, limits.min_points), points[r], regions);
+    renumber(view, pieces, parts_of(Gap(view, pieces.cells), pieces, limits.min_points), points[r], regions);
   }
   if (regions.planes.size() > before) refit(cloud, regions);
 }

@@ -5,7 +5,7 @@
 
 namespace scenelore::perception {
 
-/// Parts planes of up to 4 m² into those of their pieces where rays crossed the gaps between them. A gap that no ray crossed
+/// Parts planes of up to 12 m² into those of their pieces where rays crossed the gaps between them. A gap that no ray crossed
 /// is a shadow or too sparsely seen, and parts nothing. Clouds without a sensor's position stay as they are.
 void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions);
 
