@@ -8,6 +8,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kShare = 0.7;
+constexpr double kTurned = 16;  // deviations of a fragment
 
 /// Share of a slot's points within reach of the plane, were they normally distributed about their mean.
 double share_within(const Moments& slot, const PlaneFit& plane, double reach) {
@@ -15,6 +16,13 @@ double share_within(const Moments& slot, const PlaneFit& plane, double reach) {
   const double variance = slot.mean_squared_distance(plane) - mean * mean;
   const double scale = 1 / std::sqrt(2 * std::max(variance, 1e-4 * reach * reach));
   return 0.5 * (std::erf((reach - mean) * scale) + std::erf((reach + mean) * scale));
+}
+
+/// Whether a plane through the middle of a fragment would leave it at its longer sides by far more than its points scatter: then the fragment
+/// is a surface of its own, and the plane, though larger, perhaps one of sparse points of many things.
+bool turned(const PlaneFit& fragment, const PlaneFit& plane) {
+  const double c = std::min(1.0, std::abs(fragment.normal.dot(plane.normal)));
+  return std::sqrt(1 - c * c) * std::sqrt(12 * fragment.variances[1]) > kTurned * fragment.rmse();
 }
 
 }  // namespace
@@ -26,6 +34,7 @@ void absorb_fragments(const VoxelGrid& grid, const Pyramid& pyramid, const Limit
     return std::pair(-planes[a].count, a) < std::pair(-planes[b].count, b);
   };
   for (const auto& [a, b] : touching_regions(pyramid, slots, 1)) {
+    if (before(a, b) ? turned(planes[b], planes[a]) : turned(planes[a], planes[b])) continue;
     if (before(a, b)) {
       larger[b].push_back(a);
     } else {

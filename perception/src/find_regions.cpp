@@ -74,6 +74,7 @@ class Finder {
   void grow_coarser();
   void merge();
   void assign();
+  [[nodiscard]] std::vector<double> noise_by_region(double least = 0) const { return noise_of_regions(slots_, noise_of_voxel_, least, planes_.size()); }
   [[nodiscard]] std::vector<float> weights_of_sample() const;
   void drop_steps();
   void give_up();
@@ -162,7 +163,7 @@ void Finder::assign() {
 void Finder::merge() {
   begin("merging");
   const double least_noise = found_.limits.plane_distance_given ? found_.limits.max_plane_distance / 3 : 0;
-  merge_regions(pyramid_, noise_of_regions(slots_, noise_of_voxel_, least_noise, planes_.size()), slots_, planes_);
+  merge_regions(pyramid_, noise_by_region(least_noise), slots_, planes_);
   absorb_fragments(voxels_.grid, pyramid_, found_.limits, slots_, planes_);
 }
 
@@ -189,7 +190,7 @@ void Finder::drop_steps() {
 void Finder::give_up() {
   begin("faces");
   const std::vector<FaceTraits> traits =
-      face_traits(voxels_.grid, surfaces_, noise_of_regions(slots_, noise_of_voxel_, 0, planes_.size()), slots_, planes_, things_);
+      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, things_);
   if (unjudged_ != nullptr) {
     *unjudged_ = {traits, sample_.points, {}};
     for (const std::uint32_t s : slot_of_point_) unjudged_->region_of_point.push_back(slots_.region[s]);
@@ -223,12 +224,13 @@ FoundRegions Finder::run() {
   begin("gaps");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_at_gaps(sample_.cloud, found_.limits, regions); });
   begin("flush faces");
+  const std::size_t flush = planes_.size();
   if (in_detail) look_closer(false, [&](Regions& regions) { part_flush_faces(sample_.cloud, weights_of_sample(), up, regions); });
   const std::size_t supports = planes_.size();
   begin("thin objects");
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
   things_ = {supports, planes_.size()};
-  join_level_pieces(pyramid_, up, supports, slots_, planes_);
+  join_level_pieces(pyramid_, up, flush, supports, noise_by_region(), slots_, planes_);
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();

@@ -6,25 +6,23 @@
 #include <utility>
 
 namespace scenelore::perception {
-namespace {
 
-using Pair = std::pair<std::int32_t, std::int32_t>;
-
-/// How much worse the joint plane is for the part that suffers more, in that part's own deviations; 1 = not worse. A part's
-/// deviation counts as its noise at least: a few exact points would refuse everything.
 double joint_deviation(const Moments& a, double noise_a, const Moments& b, double noise_b) {
   Moments both = a;
   both += b;
   const PlaneFit joint = fit_plane_fast(both);
   const auto worse = [&](const Moments& part, double noise) {
-    const double own = std::max(fit_plane_fast(part).variances[0], noise * noise);
+    // A surface seen at a slant scatters less than what lies around it: four fifths of the noise will do.
+    const double own = std::max(fit_plane_fast(part).variances[0], 0.64 * noise * noise);
     // A small region's own deviation is uncertain; its limit widens with √(2/n) as in growing.
     return std::sqrt(part.mean_squared_distance(joint) / (own * (1 + 2 * std::sqrt(2 / part.n))));
   };
   return std::max(worse(a, noise_a), worse(b, noise_b));
 }
 
-constexpr double kMostDeviation = 1.12;  // the joint plane's over the part's own, beyond chance
+namespace {
+
+using Pair = std::pair<std::int32_t, std::int32_t>;
 
 /// Trees of regions that have become one; the smallest number stands for all.
 class Joined {
@@ -116,15 +114,21 @@ void bridge_shadows(double noise, double smallest, Slots& slots, std::vector<Pla
   merge_where(pairs, std::vector<double>(planes.size(), noise), in_line, slots, planes);
 }
 
-void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::size_t count, Slots& slots, std::vector<PlaneFit>& planes) {
+void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::size_t flush, std::size_t count, const std::vector<double>& noise,
+                       Slots& slots, std::vector<PlaneFit>& planes) {
   constexpr double kSameHeight = 0.007;  // metres; what lies on a table is at least 9 mm higher
   constexpr double kKeyboard = 0.12;     // m²; thin things smaller than this stay what they are
+  constexpr double kClearly = 1.25;         // deviations; a joint plane so much worse is none, however low the step
   const auto level = [&](const PlaneFit& plane) { return plane.count > 0 && std::abs(plane.normal.dot(up)) > 0.9945; };
+  const auto parted = [&](std::int32_t r) { return flush <= static_cast<std::size_t>(r) && static_cast<std::size_t>(r) < count; };
+  const std::vector<Moments> moments = moments_of_regions(slots, planes.size());
   Joined joined(planes.size());
   for (const auto& [first, second] : touching_regions(pyramid, slots, 2)) {
+    if (parted(first) != parted(second)) continue;
     const PlaneFit &a = planes[first], &b = planes[second];
     if (static_cast<std::size_t>(second) >= count && b.spread_area() < kKeyboard) continue;
     if (!level(a) || !level(b) || std::abs(up.dot(a.centroid - b.centroid)) > kSameHeight) continue;
+    if (joint_deviation(moments[first], noise[first], moments[second], noise[second]) > kClearly) continue;
     const std::int32_t p = joined.root(first), q = joined.root(second);
     if (p != q) joined.join(p, q);
   }

@@ -22,6 +22,8 @@ constexpr double kSmallestLowPatch = 0.045;  // m²
 constexpr double kFlat = 0.008;            // metres, or 1.3 times the support's noise
 constexpr double kFreeCell = 0.1;          // metres
 constexpr double kLayer = 0.85;            // of its points
+constexpr double kWide = 1;                // m²
+constexpr double kEven = 1.3;              // deviations of the support
 constexpr double kLeastSlant = 0.985, kMostSlant = 0.5;  // cosines of 10 and 60 degrees
 
 /// Free points by cells of 10 cm, so that those near a support are found without looking at all.
@@ -262,7 +264,9 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
         add_free(points[q]);
         continue;
       }
-      if (!is_layer_on(*support, footprint, cloud, points[q])) continue;
+      // A floor may have a step: what is as wide and even as that is no layer of tops.
+      const bool step = regions.planes[q].spread_area() > kWide && regions.planes[q].rmse() < kEven * support->noise;
+      if (step || !is_layer_on(*support, footprint, cloud, points[q])) continue;
       layers.push_back(q);
       for (const std::uint32_t i : points[q]) regions.of_point[i] = -1;
       add_free(points[q]);

@@ -182,6 +182,20 @@ TEST(FlushFaces, SegmentationPartsADoorLeafFromItsWall) {
   EXPECT_GT(best_iou(scene, found.plane_of_point, 2), 0.8);
 }
 
+TEST(FlushFaces, SegmentationPartsAStepOfTheFloor) {
+  for (const double noise : {0.0, 0.004}) {
+    Random random(6);
+    Scene scene;
+    for (int i = 0; i < 40'000; ++i) {
+      const double u = random.uniform(0, 4), v = random.uniform(0, 3);
+      scene.add({u, v, (u > 2.8 ? 0.004 : 0) + noise * random.normal()}, u > 2.8 ? 1 : 0);
+    }
+    const auto found = segment(scene.cloud);
+    EXPECT_GT(best_iou(scene, found.plane_of_point, 0), 0.9) << noise;
+    EXPECT_GT(best_iou(scene, found.plane_of_point, 1), 0.8) << noise;
+  }
+}
+
 TEST(FlushFaces, SegmentationLeavesABentWallWhole) {
   Random random(5);
   Scene scene = room_with_door(0, 0.01, 0.008, random);
