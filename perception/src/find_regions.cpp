@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "absorb.hpp"
+#include "bridge_tables.hpp"
 #include "clutter.hpp"
 #include "face_model.hpp"
 #include "flush_faces.hpp"
@@ -76,6 +77,7 @@ class Finder {
   void assign();
   [[nodiscard]] std::vector<double> noise_by_region(double least = 0) const { return noise_of_regions(slots_, noise_of_voxel_, least, planes_.size()); }
   [[nodiscard]] std::vector<float> weights_of_sample() const;
+  void bridge(const Eigen::Vector3d& up);
   void drop_steps();
   void give_up();
   template <typename Judge>
@@ -96,6 +98,7 @@ class Finder {
   Slots slots_;
   std::vector<PlaneFit> planes_;
   Things things_;
+  std::vector<bool> bridged_;  // by region: goes on across a shadow
   std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
 };
 
@@ -177,6 +180,25 @@ std::vector<float> Finder::weights_of_sample() const {
   return weights;
 }
 
+/// Pieces of tables become one across the shadows of what stands on them; things on planes stay what they are.
+void Finder::bridge(const Eigen::Vector3d& up) {
+  Regions regions{{}, planes_};
+  for (const std::uint32_t s : slot_of_point_) regions.of_point.push_back(slots_.region[s]);
+  for (std::size_t r = 0; r < planes_.size(); ++r) {
+    if (things_.hold(r)) regions.planes[r] = PlaneFit();
+  }
+  const std::vector<std::int32_t> into =
+      bridge_tables(sample_.cloud, up, found_.limits, noise_by_region(), regions);
+  bridged_.assign(planes_.size(), false);
+  for (std::size_t r = 0; r < into.size(); ++r) {
+    if (into[r] != static_cast<std::int32_t>(r)) bridged_[static_cast<std::size_t>(into[r])] = true;
+  }
+  for (std::int32_t& r : slots_.region) {
+    if (r >= 0) r = into[static_cast<std::size_t>(r)];
+  }
+  refit(slots_, planes_);
+}
+
 /// Frees what only the sensor's rounding made planar.
 void Finder::drop_steps() {
   if (found_.noise < 5 * kExactDeviation) return;
@@ -235,13 +257,15 @@ FoundRegions Finder::run() {
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();
   give_up();
+  begin("shadows");
+  if (in_detail) bridge(up);
   begin("promises");
-  separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_, bridged_);
   begin("all points");
   spread_from_sample(cloud_, voxels_, sample_, found_.limits, threads_, slot_of_point_, slots_, planes_);
   begin("promises");
   static_cast<Settled&>(found_) =
-      keep_promises(cloud_, voxels_, sample_, slots_, planes_.size(), found_.limits, threads_, std::move(slot_of_point_));
+      keep_promises(cloud_, voxels_, sample_, slots_, bridged_, found_.limits, threads_, std::move(slot_of_point_));
   found_.voxels = std::move(voxels_.grid.moments);
   return std::move(found_);
 }

@@ -17,6 +17,7 @@ namespace {
 struct Part {
   std::vector<std::uint32_t> slots, points;
   PlaneFit plane;
+  bool bridged = false;
   std::vector<std::uint32_t> sampled;
 };
 
@@ -31,16 +32,16 @@ constexpr double kNarrowest = 0.11;  // metres; edges of tables and door frames 
 constexpr double kThinnest = 0.12;   // rmse over width
 constexpr double kFilled = 0.5;      // share of the rectangle of its spread that a plane must fill
 
-double step_of(const PlaneFit& plane, const Limits& limits) {
-  return plane.spread_area() < kLargePlane ? limits.small_plane_step : limits.max_point_distance;
+double step_of(const PlaneFit& plane, bool bridged, const Limits& limits) {
+  return plane.spread_area() < kLargePlane && !bridged ? limits.small_plane_step : limits.max_point_distance;
 }
 
 /// Legs, frames and leftovers: sets of points that are flat, but no surface. Measured in cells wide enough to hold four
 /// points of an evenly seen surface, of which then 98 % are occupied.
-bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane) {
+bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, bool bridged) {
   const double width = std::sqrt(12 * plane.variances[1]), area = plane.spread_area();
   if (width < kNarrowest || plane.rmse() > kThinnest * width) return true;
-  if (area > kLargePlane) return false;
+  if (area > kLargePlane || bridged) return false;
   const double cell = std::max(0.03, 2 * std::sqrt(area / static_cast<double>(points.size())));
   std::vector<CellKey> keys;
   keys.reserve(points.size());
@@ -52,7 +53,7 @@ bool is_scrap(const Cloud& cloud, std::span<const std::uint32_t> points, const P
 }
 
 /// Works off a stack of candidate sets of points; each step only ever removes or separates points, so it ends.
-std::vector<Part> settle_points(const Cloud& cloud, const Limits& limits, std::vector<std::uint32_t> first) {
+std::vector<Part> settle_points(const Cloud& cloud, const Limits& limits, bool bridged, std::vector<std::uint32_t> first) {
   std::vector<Part> done;
   std::vector<std::vector<std::uint32_t>> open;
   open.push_back(std::move(first));
@@ -69,9 +70,9 @@ std::vector<Part> settle_points(const Cloud& cloud, const Limits& limits, std::v
       continue;
     }
     if (plane.variances[0] > limits.max_mse) continue;
-    auto parts = connected_parts(cloud, points, plane, step_of(plane, limits), limits.max_neighbours);
+    auto parts = connected_parts(cloud, points, plane, step_of(plane, bridged, limits), limits.max_neighbours);
     if (parts.size() == 1 && parts.front().size() == points.size()) {
-      if (!is_scrap(cloud, points, plane)) done.push_back({{}, std::move(points), plane, {}});
+      if (!is_scrap(cloud, points, plane, bridged)) done.push_back({{}, std::move(points), plane, bridged, {}});
     } else {
       for (auto& part : parts) open.push_back(std::move(part));
     }
@@ -102,6 +103,12 @@ struct Settling {
   std::vector<std::vector<std::uint32_t>> to_points;   // sets of slots whose points must be looked at
 };
 
+/// Slots whose points must be looked at.
+struct Unsettled {
+  std::vector<std::uint32_t> slots;
+  bool bridged;
+};
+
 Moments moments_of(const Slots& slots, std::span<const std::uint32_t> members) {
   Moments m;
   for (const std::uint32_t s : members) m += slots.moments[s];
@@ -116,7 +123,7 @@ struct Group {
   bool open = false;
 };
 
-std::vector<Group> groups_of(const VoxelGrid& grid, const Slots& slots, const Limits& limits, std::vector<std::uint32_t> first,
+std::vector<Group> groups_of(const VoxelGrid& grid, const Slots& slots, const Limits& limits, bool bridged, std::vector<std::uint32_t> first,
                              std::vector<std::uint32_t>& place) {
   std::vector<Group> done;
   std::vector<std::pair<std::vector<std::uint32_t>, double>> waiting;  // with the step that connects them
@@ -126,7 +133,7 @@ std::vector<Group> groups_of(const VoxelGrid& grid, const Slots& slots, const Li
     waiting.pop_back();
     const PlaneFit plane = fit_plane(moments_of(slots, members));
     if (plane.count < limits.min_points) continue;
-    const double step = step_of(plane, limits);
+    const double step = step_of(plane, bridged, limits);
     const bool open = step < kShortestStepVoxels * grid.size;
     if (open || (connected_by > 0 && connected_by <= step)) {
       done.push_back({std::move(members), plane, open});
@@ -148,15 +155,15 @@ double share_of_voxels(const VoxelisedCloud& voxels, const Slots& slots, std::sp
   return own / all;
 }
 
-Settling settle_slots(const VoxelisedCloud& voxels, const Slots& slots, const Limits& limits, std::vector<std::uint32_t> members,
+Settling settle_slots(const VoxelisedCloud& voxels, const Slots& slots, const Limits& limits, bool bridged, std::vector<std::uint32_t> members,
                       std::vector<std::uint32_t>& place) {
   Settling result;
-  for (Group& group : groups_of(voxels.grid, slots, limits, std::move(members), place)) {
+  for (Group& group : groups_of(voxels.grid, slots, limits, bridged, std::move(members), place)) {
     if (share_of_voxels(voxels, slots, group.members) < kOwnShare) continue;
     const bool kept = !group.open && group.plane.variances[0] <= limits.max_mse * (1 - kExactness) &&
                       surely_within(voxels.grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
     if (kept) {
-      result.parts.push_back({std::move(group.members), {}, group.plane, {}});
+      result.parts.push_back({std::move(group.members), {}, group.plane, bridged, {}});
     } else {
       result.to_points.push_back(std::move(group.members));
     }
@@ -173,13 +180,13 @@ std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std
 }
 
 /// Settles by points what slots could not: one pass collects the points of all of them.
-std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<std::vector<std::uint32_t>>& sets,
+std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<Unsettled>& sets,
                               std::size_t slot_count, const std::vector<std::uint32_t>& slot_of_point, int threads) {
   std::vector<Part> result;
   if (sets.empty()) return result;
   std::vector<std::int32_t> set_of_slot(slot_count, -1);
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    for (const std::uint32_t s : sets[k]) set_of_slot[s] = static_cast<std::int32_t>(k);
+    for (const std::uint32_t s : sets[k].slots) set_of_slot[s] = static_cast<std::int32_t>(k);
   }
   std::vector<std::vector<std::uint32_t>> points(sets.size());
   for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
@@ -189,7 +196,7 @@ std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const st
   }
   std::vector<std::vector<Part>> settled(sets.size());
   parallel_pieces(sets.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) settled[k] = settle_points(cloud, limits, std::move(points[k]));
+    for (std::size_t k = begin; k < end; ++k) settled[k] = settle_points(cloud, limits, sets[k].bridged, std::move(points[k]));
   });
   for (auto& some : settled) std::move(some.begin(), some.end(), std::back_inserter(result));
   return result;
@@ -198,20 +205,23 @@ std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const st
 }  // namespace
 
 void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Limits& limits, int threads,
-                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes, std::vector<bool>& bridged) {
+  bridged.resize(planes.size(), false);
   std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, planes.size());
   std::vector<std::vector<Group>> groups(planes.size());
   std::vector<std::uint32_t> place(slots.count());  // every slot is in one region, so that threads do not meet here
   parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) groups[r] = groups_of(grid, slots, limits, std::move(members[r]), place);
+    for (std::size_t r = begin; r < end; ++r) groups[r] = groups_of(grid, slots, limits, bridged[r], std::move(members[r]), place);
   });
   std::fill(slots.region.begin(), slots.region.end(), -1);
   planes.clear();
   AssignRule rule;
   rule.only.assign(grid.count(), false);
   bool moved = false;
-  for (const auto& some : groups) {
-    for (const Group& group : some) {
+  std::vector<bool> whole_bridged;
+  for (std::size_t r = 0; r < groups.size(); ++r) {
+    for (const Group& group : groups[r]) {
+      whole_bridged.push_back(bridged[r]);
       const bool kept = surely_within(grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
       for (const std::uint32_t s : group.members) {
         slots.region[s] = static_cast<std::int32_t>(planes.size());
@@ -220,6 +230,7 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
       planes.push_back(group.plane);
     }
   }
+  bridged = std::move(whole_bridged);
   if (!moved) return;
   rule.unit = rule.reach = tolerances(planes, limits);
   rule.larger_first = false;
@@ -237,19 +248,20 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
   refit(slots, planes);
 }
 
-Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots, std::size_t regions,
+Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots, const std::vector<bool>& bridged,
                       const Limits& limits, int threads, std::vector<std::uint32_t> slot_of_point) {
+  const std::size_t regions = bridged.size();
   std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, regions);
   std::vector<Settling> settled(regions);
   std::vector<std::uint32_t> place(slots.count());  // every slot is in one region, so that threads do not meet here
   parallel_pieces(regions, 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) settled[r] = settle_slots(voxels, slots, limits, std::move(members[r]), place);
+    for (std::size_t r = begin; r < end; ++r) settled[r] = settle_slots(voxels, slots, limits, bridged[r], std::move(members[r]), place);
   });
   std::vector<Part> parts;
-  std::vector<std::vector<std::uint32_t>> to_points;
-  for (Settling& s : settled) {
-    std::move(s.parts.begin(), s.parts.end(), std::back_inserter(parts));
-    std::move(s.to_points.begin(), s.to_points.end(), std::back_inserter(to_points));
+  std::vector<Unsettled> to_points;
+  for (std::size_t r = 0; r < regions; ++r) {
+    std::move(settled[r].parts.begin(), settled[r].parts.end(), std::back_inserter(parts));
+    for (auto& some : settled[r].to_points) to_points.push_back({std::move(some), bridged[r]});
   }
   // Points in the sample of each part of whole slots tell whether it is filled.
   std::vector<std::int32_t> part_of_slot(slots.count(), -1);
@@ -262,7 +274,7 @@ Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const Po
   }
   std::vector<std::uint8_t> scrap(parts.size());
   parallel_pieces(parts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) scrap[p] = is_scrap(cloud, parts[p].sampled, parts[p].plane) ? 1 : 0;
+    for (std::size_t p = begin; p < end; ++p) scrap[p] = is_scrap(cloud, parts[p].sampled, parts[p].plane, parts[p].bridged) ? 1 : 0;
   });
   for (std::size_t p = parts.size(); p-- > 0;) {
     if (scrap[p] != 0) parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(p));

@@ -1,0 +1,108 @@
+// Pieces of one table on both sides of a shadow, by what the sensor saw between them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "bridge_tables.hpp"
+#include "planar_scenes.hpp"
+#include "scenelore/perception/segment.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+using testing::Random;
+using testing::Scene;
+using Vector = Eigen::Vector3d;
+
+const Vector kEye(0.2, -2.0, 1.5);
+constexpr double kTop = 0.74;
+
+/// Two pieces of a level surface, 0 and 1, over a floor, 2, as the eye sees them. Between them is a gap: seen through (the floor shows
+/// there), or in the shadow of something.
+struct Pieces {
+  double from_second = 1.1, to_second = 1.7;  ///< metres along x; the first piece goes from 0 to 0.6
+  double raised = 0;                          ///< metres, the second over the first
+  double behind = 0;                          ///< metres along y, the second behind the first
+  bool seen_through = false;
+};
+
+bool is_on(const Pieces& pieces, const Vector& p, int piece) {
+  const double from = piece == 0 ? 0 : pieces.from_second, to = piece == 0 ? 0.6 : pieces.to_second, y = piece == 0 ? 0 : pieces.behind;
+  return p.x() > from && p.x() < to && p.y() > y && p.y() < y + 0.8;
+}
+
+Scene scene_of(const Pieces& pieces) {
+  Scene scene;
+  Random random(5);
+  scene.cloud.sensors = SensorPositions(kEye);
+  for (int i = 0; i < 80'000; ++i) {
+    const Vector floor(random.uniform(-1.5, 6), random.uniform(-1.5, 4), 0);
+    const auto crossing = [&](double z) { return Vector(kEye + (z - kEye.z()) / -kEye.z() * (floor - kEye)); };
+    const double noise = 0.004 * random.normal();
+    const Vector first = crossing(kTop), second = crossing(kTop + pieces.raised);
+    if (is_on(pieces, first, 0)) scene.add(first + noise * Vector::UnitZ(), 0);
+    else if (is_on(pieces, second, 1)) scene.add(second + noise * Vector::UnitZ(), 1);
+    else if (pieces.seen_through || first.x() < 0 || first.x() > pieces.to_second || first.y() < 0) scene.add(floor + noise * Vector::UnitZ(), 2);
+  }
+  return scene;
+}
+
+const Limits kLimits{.max_point_distance = 1.6, .max_plane_distance = 0.03, .max_mse = 1e-4, .min_points = 20, .max_neighbours = 30, .small_plane_step = 0.3};
+
+/// Whether the pieces, each a region of its own, are found to be one.
+bool bridged(const Scene& scene, const Limits& limits = kLimits) {
+  Regions regions;
+  for (const int truth : scene.truth) regions.of_point.push_back(truth);
+  regions.planes.resize(3);
+  refit(scene.cloud, regions);
+  const auto into = bridge_tables(scene.cloud, Vector::UnitZ(), limits, {0.004, 0.004, 0.004}, regions);
+  EXPECT_EQ(into[2], 2) << "the floor is another surface";
+  return into[0] == into[1];
+}
+
+TEST(BridgeTables, JoinsWhatOnlyAShadowParts) { EXPECT_TRUE(bridged(scene_of({}))); }
+
+TEST(BridgeTables, LeavesApartWhatWasSeenThrough) { EXPECT_FALSE(bridged(scene_of({.seen_through = true}))); }
+
+TEST(BridgeTables, LeavesApartWhatIsNotInOnePlane) { EXPECT_FALSE(bridged(scene_of({.raised = 0.015}))); }
+
+TEST(BridgeTables, LeavesApartWhatOneTableWouldBeTooLongFor) {
+  EXPECT_TRUE(bridged(scene_of({.from_second = 1.2, .to_second = 2.2})));
+  EXPECT_FALSE(bridged(scene_of({.from_second = 1.2, .to_second = 2.8})));
+}
+
+TEST(BridgeTables, LeavesApartWhatTheUserWantsConnectedMoreClosely) {
+  Limits limits = kLimits;
+  limits.max_point_distance = limits.small_plane_step = 0.2;
+  EXPECT_FALSE(bridged(scene_of({}), limits));
+}
+
+TEST(BridgeTables, KnowsOfNoShadowsWithoutASensor) {
+  Scene scene = scene_of({});
+  scene.cloud.sensors = SensorPositions();
+  EXPECT_FALSE(bridged(scene));
+}
+
+/// The planes that hold most points of what is 0 and 1 in truth.
+std::set<std::int32_t> main_planes(const Scene& scene, const std::vector<std::int32_t>& plane_of_point) {
+  std::set<std::int32_t> planes;
+  for (const int truth : {0, 1}) {
+    std::map<std::int32_t, int> count;
+    for (std::size_t i = 0; i < scene.truth.size(); ++i) count[plane_of_point[i]] += scene.truth[i] == truth;
+    planes.insert(std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first);
+  }
+  return planes;
+}
+
+TEST(BridgeTables, SegmentationKeepsTheTableWhole) {
+  const Scene shadow = scene_of({}), gap = scene_of({.seen_through = true});
+  const auto one = main_planes(shadow, segment(shadow.cloud).plane_of_point), two = main_planes(gap, segment(gap.cloud).plane_of_point);
+  EXPECT_EQ(one.size(), 1u);
+  EXPECT_FALSE(one.contains(-1));
+  EXPECT_EQ(two.size(), 2u);
+}
+
+}  // namespace
+}  // namespace scenelore::perception
