@@ -223,6 +223,8 @@ Fit fit_from(const Data& data, const std::vector<const Feature*>& features, cons
 
 }  // namespace
 
+double least_sigma(const Feature& feature) { return range_on_scale(feature) * (is_share(feature) ? kLeastOfShare : kLeast); }
+
 std::vector<ClassKind> fit_kinds(const std::string& object_class, std::vector<KindExample> examples, const std::vector<const Feature*>& features,
                                  const std::vector<ClassKind>& present, int most, const LearnOptions& options) {
   // NaN first; so the seeds do not depend on the order that planes came in.
@@ -232,7 +234,7 @@ std::vector<ClassKind> fit_kinds(const std::string& object_class, std::vector<Ki
   });
   Data data{.examples = std::move(examples), .all = {}, .least = {}};
   for (std::size_t f = 0; f < features.size(); ++f) {
-    data.least.push_back(std::pow(range_on_scale(*features[f]) * (is_share(*features[f]) ? kLeastOfShare : kLeast), 2));
+    data.least.push_back(std::pow(least_sigma(*features[f]), 2));
     data.all.push_back(normal_of(data.examples, f));
     data.all.back().variance = std::max(data.all.back().variance, data.least.back());
   }

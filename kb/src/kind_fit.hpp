@@ -11,6 +11,9 @@ namespace scenelore::kb {
 /// One plane: a value of each feature on its scale; NaN = not known.
 using KindExample = std::vector<double>;
 
+/// No kind is sharper in a feature than this, on its scale.
+[[nodiscard]] double least_sigma(const Feature& feature);
+
 /// Kinds of a class from its examples: a mixture of Gaussians with independent features, by expectation maximisation (Dempster, Laird,
 /// Rubin 1977; starts after k-means++, Arthur & Vassilvitskii 2007, of several the likeliest), as many kinds as there are
 /// options.examples_per_kind, at most `most`; kinds that keep less than options.min_of_kind examples are given up, so that a

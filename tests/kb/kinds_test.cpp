@@ -247,5 +247,78 @@ TEST(KindRows, AreReadAsTheyWereLearnedAndUndone) {
   EXPECT_TRUE(base.knowledge().kinds.empty());
 }
 
+/// Mean of ln P(true class | features).
+double mean_log_probability(const Knowledge& k, const LabelledPlanes& planes) {
+  const auto p = preclassify(k, planes.features);
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += std::log(p[i][static_cast<std::size_t>(k.class_index(planes.classes[i]))]);
+  return sum / static_cast<double>(p.size());
+}
+
+/// Features that count a third make densities too vague to tell much.
+Knowledge vague() {
+  Knowledge k = to_learn();
+  for (Feature& feature : k.features) feature.weight = 0.3;
+  return k;
+}
+
+TEST(Contrast, MakesFreshLabelsLikelier) {
+  LearnedRows rows = learn(vague(), with_scraps(60, "table", 1));
+  const LabelledPlanes fresh = with_scraps(60, "table", 2);
+  const double before = mean_log_probability(with_rows(vague(), rows), fresh);
+  contrast(vague(), with_scraps(60, "table", 1), rows);
+  EXPECT_GT(mean_log_probability(with_rows(vague(), rows), fresh), before + 0.05);
+  double shares = 0, priors = 0;
+  for (const ClassKind& kind : rows.classes[1].kinds) shares += kind.share;
+  for (const LearnedClass& learned : rows.classes) priors += learned.prior;
+  EXPECT_NEAR(shares, LearnOptions{}.kind_share, 1e-9);
+  EXPECT_NEAR(priors, 1, 1e-9);
+}
+
+// Where the likelihood is highest, classes are expected as often as they occur: the score of ln s_k π_C, (2) of contrast.cpp, is zero.
+TEST(Contrast, ExpectsEachClassAsOftenAsItIs) {
+  LabelledPlanes planes = with_scraps(60, "table", 1);
+  for (std::size_t i = 0; i < planes.classes.size(); i += 6) planes.classes[i] = "shelf";  // half of the whole tables
+  LearnedRows rows = learn(vague(), planes);
+  for (LearnedClass& learned : rows.classes) learned.prior = 1.0 / 3;
+  contrast(vague(), planes, rows, {.steps = 400, .strength = 1e-3});
+  const auto p = preclassify(with_rows(vague(), rows), planes.features);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double expected = 0;
+    for (const auto& of_plane : p) expected += of_plane[c];
+    const auto real = std::count(planes.classes.begin(), planes.classes.end(), to_learn().classes[c].name);
+    EXPECT_NEAR(expected / static_cast<double>(p.size()), static_cast<double>(real) / static_cast<double>(p.size()), 0.02) << "class " << c;
+  }
+}
+
+TEST(Contrast, LeavesKindsWhereTheyHoldOnFirmly) {
+  LearnedRows rows = learn(vague(), crossed(30, 1));
+  const std::vector<ClassKind> before = rows.classes[1].kinds;
+  contrast(vague(), crossed(30, 3), rows, {.strength = 1e9});
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_NEAR(rows.classes[1].kinds[k].share, before[k].share, 0.1 * before[k].share);
+    EXPECT_NEAR(rows.classes[1].kinds[k].features[0].mean, before[k].features[0].mean, 0.1 * before[k].features[0].sigma);
+  }
+}
+
+TEST(Contrast, UsesWhatIsKnownOfAPlaneAndDoesTheSameTwice) {
+  LabelledPlanes planes = crossed(30, 1);
+  for (std::size_t i = 0; i < planes.classes.size(); i += 3) planes.features.values[i][0] = std::numeric_limits<double>::quiet_NaN();
+  LearnedRows rows = learn(vague(), planes), again = rows;
+  contrast(vague(), planes, rows);
+  contrast(vague(), planes, again);
+  EXPECT_EQ(to_sql(rows), to_sql(again));
+  for (const ClassKind& kind : rows.classes[1].kinds) {
+    EXPECT_TRUE(std::isfinite(kind.share));
+    EXPECT_TRUE(std::isfinite(kind.features[0].mean) && kind.features[0].sigma > 0);
+  }
+}
+
+TEST(Contrast, WantsARowForEachFeatureThatCounts) {
+  LearnedRows rows = learn(vague(), crossed(30, 1));
+  rows.classes[1].kinds[0].features.pop_back();
+  EXPECT_THROW(contrast(vague(), crossed(30, 1), rows), Error);
+}
+
 }  // namespace
 }  // namespace scenelore::kb

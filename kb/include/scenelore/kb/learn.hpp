@@ -58,6 +58,18 @@ struct LearnedRows {
 /// Throws Error for a class that the knowledge lacks, and for sizes that do not fit.
 [[nodiscard]] LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options = {});
 
+struct ContrastOptions {
+  int steps = 60;
+  double strength = 4;  ///< how firmly kinds hold on to what they are, in pretended planes
+};
+
+/// Moves the kinds of `rows`, how usual they are and the priors so that the labels of these planes become likelier given their features.
+/// `learn` asks of each class alone what it looks like; where classes overlap, and since weights other than 1 make densities what nothing is
+/// drawn from, that is not what tells them apart best. `knowledge`: what else counts, the weights of features above all; `planes` may have
+/// errors of their values. Kinds need a row for each feature that counts; classes without kinds stay as they are. Deterministic, with any number
+/// of threads. Throws Error for a kind that lacks a row.
+void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedRows& rows, const ContrastOptions& options = {});
+
 /// The knowledge with the rows in place, as after to_sql but for rounding.
 [[nodiscard]] Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows);
 
