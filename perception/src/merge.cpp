@@ -118,7 +118,7 @@ void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::s
                        Slots& slots, std::vector<PlaneFit>& planes) {
   constexpr double kSameHeight = 0.007;  // metres; what lies on a table is at least 9 mm higher
   constexpr double kKeyboard = 0.12;     // m²; thin things smaller than this stay what they are
-  constexpr double kClearly = 1.25;         // deviations; a joint plane so much worse is none, however low the step
+  constexpr double kClearly = 1.25;      // deviations; a joint plane so much worse is none, however low the step
   const auto level = [&](const PlaneFit& plane) { return plane.count > 0 && std::abs(plane.normal.dot(up)) > 0.9945; };
   const auto parted = [&](std::int32_t r) { return flush <= static_cast<std::size_t>(r) && static_cast<std::size_t>(r) < count; };
   const std::vector<Moments> moments = moments_of_regions(slots, planes.size());
