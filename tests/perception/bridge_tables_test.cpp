@@ -64,7 +64,10 @@ bool bridged(const Scene& scene, const Limits& limits = kLimits) {
 
 TEST(BridgeTables, JoinsWhatOnlyAShadowParts) { EXPECT_TRUE(bridged(scene_of({}))); }
 
-TEST(BridgeTables, LeavesApartWhatWasSeenThrough) { EXPECT_FALSE(bridged(scene_of({.seen_through = true}))); }
+TEST(BridgeTables, LeavesApartWhatWasSeenThrough) {
+  EXPECT_FALSE(bridged(scene_of({.seen_through = true})));
+  EXPECT_FALSE(bridged(scene_of({.from_second = 0.72, .to_second = 1.3, .seen_through = true}))) << "too narrow for the rectangle to mind";
+}
 
 TEST(BridgeTables, LeavesApartWhatIsNotInOnePlane) { EXPECT_FALSE(bridged(scene_of({.raised = 0.015}))); }
 
