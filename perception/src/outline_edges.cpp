@@ -29,13 +29,13 @@ constexpr std::size_t kMostPoints = 250'000;  // of a view; with that of a laser
 
 /// What was measured beyond a place of an outline. Of several poses the one that saw most decides: what hid the rest from
 /// one hides nothing from the other, and a ray goes past an edge whose other side is not seen.
-enum class Seen : std::uint8_t { nothing, something_before, same_surface, past, around_the_edge };
+enum class Seen : std::uint8_t { not_looked_at, nothing, something_before, same_surface, past, around_the_edge };
 
 struct Place {
   Eigen::Vector3d at;    // on the outline, in the cloud's offsets
   Eigen::Vector3d out;   // unit, in the plane
   double length = 0;     // metres of outline that it stands for
-  Seen seen = Seen::nothing;
+  Seen seen = Seen::not_looked_at;
   std::int32_t turn = -1;  // the plane around the edge
 };
 
@@ -48,7 +48,7 @@ std::vector<Place> places_of(const Plane& plane, const Eigen::Vector3d& origin) 
     if (!(length > 0)) continue;
     const Eigen::Vector3d out = along.cross(plane.normal).normalized();  // the ring runs counter-clockwise
     const int parts = std::max(1, static_cast<int>(std::lround(length / kApart)));
-    for (int part = 0; part < parts; ++part) places.push_back({from + (part + 0.5) / parts * along, out, length / parts, Seen::nothing, -1});
+    for (int part = 0; part < parts; ++part) places.push_back({from + (part + 0.5) / parts * along, out, length / parts, Seen::not_looked_at, -1});
   }
   return places;
 }
@@ -100,9 +100,8 @@ void Sight::judge(const std::vector<std::uint32_t>& measured, const Facing& plan
     if (other < 0 || (other != turn && !turns(plane, other, place.at))) continue;
     turn = other, ++turned;
   }
-  if (before + same + past == 0) return;
-  Seen seen = same >= before ? Seen::same_surface : Seen::something_before;
-  if (past >= std::max(same, before)) seen = 2 * turned > past ? Seen::around_the_edge : Seen::past;
+  Seen seen = before + same + past == 0 ? Seen::nothing : same >= before ? Seen::same_surface : Seen::something_before;
+  if (past > 0 && past >= std::max(same, before)) seen = 2 * turned > past ? Seen::around_the_edge : Seen::past;
   if (seen <= place.seen) return;
   place.seen = seen;
   if (seen == Seen::around_the_edge) place.turn = turn;
@@ -159,10 +158,12 @@ std::vector<View> views_of(const Cloud& cloud) {
 
 /// Length by what was seen.
 struct Lengths {
-  double all = 0, seen = 0, free = 0, joined = 0;
+  double all = 0, looked_at = 0, seen = 0, free = 0, joined = 0;
 
   void add(const Place& place) {
     all += place.length;
+    if (place.seen == Seen::not_looked_at) return;
+    looked_at += place.length;
     if (place.seen == Seen::nothing) return;
     seen += place.length;
     if (place.seen == Seen::past) free += place.length;
@@ -177,6 +178,7 @@ void conclude(const std::vector<Place>& places, const Eigen::Vector3d& up, Plane
     whole.add(place);
     if (up.dot(place.out) > kUpper) top.add(place);
   }
+  if (whole.looked_at > 0) plane.edge_unseen = 1 - whole.seen / whole.looked_at;
   if (!whole.enough()) return;
   plane.edge_free = whole.free / whole.seen;
   plane.edge_joined = whole.joined / whole.seen;

@@ -15,7 +15,7 @@ namespace scenelore::perception {
 /// of a pillar, of a chimney or of a wardrobe, the other wall where a gangway turns.
 using Turns = std::vector<std::vector<std::uint32_t>>;
 
-/// Sets Plane::edge_free, edge_free_top and edge_joined of planes in the scan's frame. Every 3 cm of an outline, at a place some
+/// Sets Plane::edge_free, edge_free_top, edge_joined and edge_unseen of planes in the scan's frame. Every 3 cm of an outline, at a place some
 /// centimetres beyond it, the points that were measured in that direction are held against the plane. `upright` turns the scan's
 /// frame upright. Nothing is known of a plane without an outline, and without the sensor's position; of no plane where it turns
 /// when `plane_of_point` (one a point, −1 = none) is empty.

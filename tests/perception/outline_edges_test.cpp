@@ -123,6 +123,17 @@ TEST(OutlineEdges, AreNotKnownWithoutASensorOutlineOrMeasurements) {
   EXPECT_EQ(looked_at({screen}).edge_free, -1) << "a screen in the dark: no ray came back from beyond it";
 }
 
+TEST(OutlineEdges, AreUnseenWhereTheViewEnds) {
+  EXPECT_EQ(looked_at({{{2, -0.4, -0.2}, {0, 0, 0.6}, {0, 0.8, 0}}, kWall, kFloor, kCeiling}).edge_unseen, 0);
+  // Of a wall 1 m away that goes on past the view's 70 degrees to the left, the left edge of what is seen; floor and ceiling go as far.
+  const double end = std::tan(70 * std::numbers::pi / 180);
+  const Panel nearer{{1, 0, -1.5}, {0, 0, 3}, {0, end, 0}};
+  EXPECT_NEAR(looked_at({nearer, kWall, kFloor, kCeiling}).edge_unseen, 3 / (6 + 2 * end), 0.03);
+  EXPECT_EQ(looked_at({{{2, -0.4, -0.2}, {0, 0, 0.6}, {0, 0.8, 0}}}).edge_unseen, 1) << "in the dark";
+  const Panel edge_on{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  EXPECT_EQ(looked_at({edge_on, kWall, kFloor, kCeiling}).edge_unseen, -1) << "nobody looked beyond it";
+}
+
 TEST(OutlineEdges, TakeOfSeveralPosesTheOneThatSawMost) {
   // From the origin a box hides the panel's lower half; the other pose looks over the box.
   const Panel panel{{2, -0.5, -0.5}, {0, 0, 1}, {0, 1, 0}}, box{{1, -0.6, -1.4}, {0, 0, 1.4}, {0, 1.2, 0}};

@@ -47,6 +47,9 @@ struct Plane {
   /// turns into another plane around an upright edge, or something before it hides how it goes on. `edge_free_top`: free, of the upper edge of what is not level alone.
   /// −1 = not known, or measured along less than a quarter of it.
   double edge_free = -1, edge_free_top = -1, edge_joined = -1;
+  /// Share of the outline's length (0..1) beyond which nothing was measured: the sensor's field of view ends there, or no echo came
+  /// back. What else its outline tells is then of the view and not of the thing. −1 = not known.
+  double edge_unseen = -1;
   std::size_t point_count = 0;
 };
 
