@@ -57,7 +57,7 @@ FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>&
   FeatureTable table;
   table.names = {"area_m2", "length", "width", "rectangularity", "tilt_deg",      "height",    "x",
                  "y",       "z_min",  "z_max", "rmse",           "point_density", "facing_up", "seen_share",
-                 "spread_length", "spread_width", "behind", "edge_free", "edge_free_top", "edge_joined"};
+                 "spread_length", "spread_width", "behind", "edge_free", "edge_free_top", "edge_joined", "edge_unseen"};
   const Eigen::Vector3d centre = centre_of(scan, planes);
   for (const StoredPlane& stored : planes) {
     const perception::Plane& p = stored.plane;
@@ -65,7 +65,7 @@ FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>&
     table.values.push_back({p.area_m2, p.length, p.width, p.rectangularity, p.tilt_deg, p.height, at.x(), at.y(),
                             p.z_min, p.z_max, p.rmse, p.point_density, p.facing_up, p.seen_share,
                             known(p.spread_length), known(p.spread_width), share(p.behind), share(p.edge_free), share(p.edge_free_top),
-                            share(p.edge_joined)});
+                            share(p.edge_joined), share(p.edge_unseen)});
   }
   table.errors["tilt_deg"].assign(planes.size(), stray_deg(planes));
   return table;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kPlaneColumns =
     "geom, x, y, z, normal_x, normal_y, normal_z, qw, qx, qy, qz, area_m2, length, width, rectangularity, tilt_deg, "
     "height, z_min, z_max, rmse, facing_up, point_density, seen_share, spread_length, spread_width, "
-    "behind, edge_free, edge_free_top, edge_joined, point_count";
+    "behind, edge_free, edge_free_top, edge_joined, edge_unseen, point_count";
 
 Eigen::Vector3d vector_at(const Statement::Use& row, int column) {
   return {row.real(column), row.real(column + 1), row.real(column + 2)};
@@ -36,7 +36,7 @@ perception::Plane read_plane(const Statement::Use& row, int column) {
                         &plane.point_density, &plane.seen_share, &plane.spread_length, &plane.spread_width}) {
     *value = row.real(column++);
   }
-  for (double* share : {&plane.behind, &plane.edge_free, &plane.edge_free_top, &plane.edge_joined}) {
+  for (double* share : {&plane.behind, &plane.edge_free, &plane.edge_free_top, &plane.edge_joined, &plane.edge_unseen}) {
     if (!row.is_null(column)) *share = row.real(column);
     ++column;
   }
@@ -55,8 +55,8 @@ std::vector<double> numbers_of(const perception::Plane& plane) {
 }
 
 // What may be unknown, between those and the number of points: a share, −1 = not known.
-std::array<double, 4> shares_of(const perception::Plane& plane) {
-  return {plane.behind, plane.edge_free, plane.edge_free_top, plane.edge_joined};
+std::array<double, 5> shares_of(const perception::Plane& plane) {
+  return {plane.behind, plane.edge_free, plane.edge_free_top, plane.edge_joined, plane.edge_unseen};
 }
 
 std::string placeholders(std::ptrdiff_t count) {

@@ -10,7 +10,7 @@
 
 namespace scenelore::kb {
 
-inline constexpr int kSchemaVersion = 12;  ///< the highest number of schemas/<number>_*.sql
+inline constexpr int kSchemaVersion = 13;  ///< the highest number of schemas/<number>_*.sql
 
 /// Fills an empty database. Throws Error for an unknown pack, naming the known ones.
 void create_schema(Database& database, const std::string& pack);

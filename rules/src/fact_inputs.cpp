@@ -37,7 +37,7 @@ void add(Bytes& bytes, const perception::Plane& plane) {
   for (const double value : {plane.area_m2, plane.length, plane.width, plane.rectangularity, plane.spread_length,
                              plane.spread_width, plane.tilt_deg, plane.height, plane.z_min, plane.z_max, plane.rmse,
                              plane.facing_up, plane.point_density, plane.seen_share, plane.behind, plane.edge_free,
-                             plane.edge_free_top, plane.edge_joined}) {
+                             plane.edge_free_top, plane.edge_joined, plane.edge_unseen}) {
     bytes.number(value);
   }
   bytes.count(plane.point_count);

@@ -61,6 +61,8 @@ constexpr PlaneField kFields[] = {
      "the same of its upper edge; -1 = not known, or level"},
     {"edge_joined", [](const perception::Plane& p) { return p.edge_joined; },
      "share of its outline along which another surface goes on in its plane; -1 = not known"},
+    {"edge_unseen", [](const perception::Plane& p) { return p.edge_unseen; },
+     "share of its outline beyond which nothing was measured; -1 = not known"},
     {"point_count", [](const perception::Plane& p) { return static_cast<double>(p.point_count); },
      "points"},
 };

@@ -21,7 +21,8 @@ INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('behind',         '1',    'linear', 0,     1,    0.5, 'share of the cubes around it that lie on its emptier side: 0 where the room ends'),
   ('edge_free',      '1',    'linear', 0,     1,    0.5, 'share of its outline beyond which the sensor looked into the room behind'),
   ('edge_free_top',  '1',    'linear', 0,     1,    0.5, 'the same of its upper edge; unknown of level planes'),
-  ('edge_joined',    '1',    'linear', 0,     1,    0.5, 'share of its outline along which another surface goes on in its plane');
+  ('edge_joined',    '1',    'linear', 0,     1,    0.5, 'share of its outline along which another surface goes on in its plane'),
+  ('edge_unseen',    '1',    'linear', 0,     1,    0.5, 'share of its outline beyond which nothing was measured: the view ends there');
 
 INSERT INTO object_class (id, name, prior, color, fallback, description) VALUES
   (0, 'unknown', 0.30, '#9e9e9e', 1, 'what fits nothing: books, boxes, plants, people');

@@ -85,7 +85,7 @@ TEST(KnowledgeFile, OfVersionOneIsMigratedWithAllItsRows) {
   Database(path, OpenMode::create).execute(test::read_file(fs::path(SCENELORE_SOURCE_DIR) / "tests/kb/data/version_1.sql"));
   EXPECT_THAT(refused(path, Access::read_only), HasSubstr("older schema version 1"));
   const KnowledgeBase base = KnowledgeBase::open(path);
-  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("12|1"));
+  EXPECT_THAT(ask(base, "SELECT schema_version, oldest_reader FROM scenelore_meta"), ElementsAre("13|1"));
   EXPECT_EQ(base.knowledge().classes.size(), 3U);
   ASSERT_EQ(base.planes(1).size(), 2U);
   EXPECT_EQ(base.planes(1)[0].plane.behind, -1) << "was not measured then";

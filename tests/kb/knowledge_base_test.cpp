@@ -82,6 +82,7 @@ TEST(KnowledgeBase, GivesBackAScanAsItWasStored) {
     EXPECT_EQ(stored.edge_free, given.edge_free);
     EXPECT_EQ(stored.edge_free_top, given.edge_free_top);
     EXPECT_EQ(stored.edge_joined, given.edge_joined);
+    EXPECT_EQ(stored.edge_unseen, given.edge_unseen);
     EXPECT_EQ(stored.point_count, given.point_count);
   }
   const std::vector<std::int64_t> of_point = base.plane_of_point(id);

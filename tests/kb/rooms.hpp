@@ -43,6 +43,7 @@ inline perception::Plane rectangle(const Eigen::Vector3d& centre, const Eigen::V
   if (plane.tilt_deg < 45) plane.behind = 0.25;  // not known of the others
   plane.edge_free = 0.5;
   plane.edge_joined = 0.25;
+  plane.edge_unseen = 0.125;
   if (plane.tilt_deg > 45) plane.edge_free_top = 0.75;
   plane.point_count = points;
   return plane;
