@@ -18,14 +18,15 @@ bool parallel(const PlaneFit& a, const PlaneFit& b) { return std::abs(a.normal.d
 struct Ruler {
   float a = 0, b = 0, c = 0, e = 0;
   float reach = 0;  // in units
+  float handicap = 0;
 
   [[nodiscard]] float distance(float x, float y, float z) const { return std::abs(a * x + b * y + c * z + e); }
 };
 
-Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double step, double unit, double reach) {
+Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double step, double unit, double reach, float handicap) {
   const Eigen::Vector3d n = plane.normal * (step / unit);
   const double e = plane.distance(corner + Eigen::Vector3d::Constant(step / 2)) / unit;
-  return {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()), static_cast<float>(e), static_cast<float>(reach / unit)};
+  return {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()), static_cast<float>(e), static_cast<float>(reach / unit), handicap};
 }
 
 /// The slots of all voxels, without their points.
@@ -62,9 +63,9 @@ Slots layout(const VoxelGrid& grid, const Candidates& candidates, const std::vec
 
 class Assigner {
  public:
-  Assigner(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const std::vector<PlaneFit>& planes, const AssignRule& rule,
+  Assigner(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule,
            Slots& slots, const Slots* before, std::vector<std::uint32_t>& slot_of_point)
-      : cloud_(cloud), grid_(grid), voxels_(voxels), planes_(planes), rule_(rule), slots_(slots), before_(before), slot_of_point_(slot_of_point),
+      : cloud_(cloud), grid_(grid), voxels_(voxels), candidates_(candidates), planes_(planes), rule_(rule), slots_(slots), before_(before), slot_of_point_(slot_of_point),
         step_(grid.size / kFixedSteps) {}
 
   void run(int threads) {
@@ -80,7 +81,9 @@ class Assigner {
 
   [[nodiscard]] Ruler ruler_of(std::uint32_t slot, const Eigen::Vector3d& corner) const {
     const std::int32_t r = slots_.region[slot];
-    return make_ruler(planes_[r], corner, step_, rule_.unit[r], rule_.reach[r]);
+    const std::uint32_t v = slots_.voxel[slot];
+    const float handicap = candidates_.handicap.empty() ? 0.0F : candidates_.handicap[candidates_.first[v] + (slot - slots_.first[v])];
+    return make_ruler(planes_[r], corner, step_, rule_.unit[r], rule_.reach[r], handicap);
   }
 
   /// Which of a voxel's slots, the first of which is `first`, has a point; `rulers` are those of all but the last one.
@@ -88,15 +91,17 @@ class Assigner {
     const auto none = static_cast<std::uint32_t>(rulers.size());
     std::uint32_t owner = none;
     float best = 0;
+    const bool weighed = !candidates_.handicap.empty();
     for (std::uint32_t k = 0; k < none; ++k) {
       const float d = rulers[k].distance(x, y, z);
       if (!(d < rulers[k].reach)) continue;
+      const float cost = weighed ? 0.5F * d * d + rulers[k].handicap : d;
       if (owner != none) {
-        if (d >= best) continue;
+        if (cost >= best) continue;
         // A smaller plane almost parallel to a larger one gets what the larger one clearly does not explain.
         if (rule_.larger_first && best < kExplained && parallel(planes_[slots_.region[first + k]], planes_[slots_.region[first + owner]])) continue;
       }
-      best = d, owner = k;
+      best = cost, owner = k;
     }
     return owner;
   }
@@ -112,6 +117,7 @@ class Assigner {
   const Cloud& cloud_;
   const VoxelGrid& grid_;
   const VoxelPoints& voxels_;
+  const Candidates& candidates_;
   const std::vector<PlaneFit>& planes_;
   const AssignRule& rule_;
   Slots& slots_;
@@ -243,7 +249,7 @@ Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
     slots.reach.insert(slots.reach.end(), before->reach.begin(), before->reach.end());
   }
   slot_of_point.resize(cloud.size());
-  Assigner(cloud, grid, voxels, planes, rule, slots, before, slot_of_point).run(threads);
+  Assigner(cloud, grid, voxels, candidates, planes, rule, slots, before, slot_of_point).run(threads);
   return slots;
 }
 

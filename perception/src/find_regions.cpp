@@ -182,8 +182,7 @@ std::vector<float> Finder::weights_of_sample() const {
 
 /// Pieces of tables become one across the shadows of what stands on them; things on planes stay what they are.
 void Finder::bridge(const Eigen::Vector3d& up) {
-  Regions regions{{}, planes_};
-  for (const std::uint32_t s : slot_of_point_) regions.of_point.push_back(slots_.region[s]);
+  Regions regions{regions_of_points(slots_, slot_of_point_), planes_};
   for (std::size_t r = 0; r < planes_.size(); ++r) {
     if (things_.hold(r)) regions.planes[r] = PlaneFit();
   }
@@ -214,8 +213,7 @@ void Finder::give_up() {
   const std::vector<FaceTraits> traits =
       face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, things_);
   if (unjudged_ != nullptr) {
-    *unjudged_ = {traits, sample_.points, {}};
-    for (const std::uint32_t s : slot_of_point_) unjudged_->region_of_point.push_back(slots_.region[s]);
+    *unjudged_ = {traits, sample_.points, regions_of_points(slots_, slot_of_point_)};
     return;
   }
   std::vector<bool> given_up(planes_.size());

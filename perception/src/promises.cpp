@@ -232,18 +232,11 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
   }
   bridged = std::move(whole_bridged);
   if (!moved) return;
-  rule.unit = rule.reach = tolerances(planes, limits);
+  const std::vector<std::int32_t> region_of_point = regions_of_points(slots, slot_of_point);
+  rule.reach = reaches(cloud, region_of_point, planes, limits);
+  rule.unit = scatters(cloud, region_of_point, planes);
   rule.larger_first = false;
-  Candidates candidates;
-  for (std::size_t v = 0; v < grid.count(); ++v) {
-    candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
-    for (std::uint32_t s = slots.first[v]; rule.only[v] && s < slots.first[v + 1]; ++s) {
-      const auto row = candidates.regions.begin() + candidates.first[v];
-      if (slots.region[s] < 0 || slots.moments[s].n <= 0 || std::find(row, candidates.regions.end(), slots.region[s]) != candidates.regions.end()) continue;
-      candidates.regions.push_back(slots.region[s]);
-    }
-  }
-  candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+  const Candidates candidates = candidates_within(slots, rule.unit);
   slots = assign_points(cloud, grid, voxels, candidates, planes, rule, threads, slot_of_point, &slots);
   refit(slots, planes);
 }

@@ -3,12 +3,58 @@
 #include <algorithm>
 
 namespace scenelore::perception {
+namespace {
+
+constexpr double kFinestScatter = 0.001;    // metres
+constexpr double kMedianOfNormal = 0.6745;  // of the distance from the mean, in deviations
+constexpr double kDeviations = 3;
+
+}  // namespace
 
 double tolerance(const PlaneFit& plane, const Limits& limits) {
   if (limits.plane_distance_given) return limits.max_plane_distance;
   // The noise of one plane varies with incidence: where most of it is seen squarely, its slanted parts scatter twice as
   // far. Points that are left out there would come back as layers before and behind the plane.
   return std::clamp(4 * plane.rmse(), 0.7 * limits.max_plane_distance, limits.max_plane_distance);
+}
+
+namespace {
+
+std::vector<std::vector<float>> distances_of(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes) {
+  std::vector<std::vector<float>> distances(planes.size());
+  for (std::size_t i = 0; i < of_point.size(); ++i) {
+    const std::int32_t r = of_point[i];
+    if (r >= 0) distances[r].push_back(static_cast<float>(std::abs(planes[r].distance(cloud.offset(i).cast<double>()))));
+  }
+  return distances;
+}
+
+double scatter_of(std::vector<float>& distances) {
+  if (distances.empty()) return kFinestScatter;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return std::max(kFinestScatter, *middle / kMedianOfNormal);
+}
+
+}  // namespace
+
+std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes) {
+  std::vector<double> scatters;
+  for (std::vector<float>& distances : distances_of(cloud, of_point, planes)) scatters.push_back(scatter_of(distances));
+  return scatters;
+}
+
+std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes, const Limits& limits) {
+  constexpr double kRounding = 1e-5;  // metres, of single precision
+  std::vector<std::vector<float>> distances = distances_of(cloud, of_point, planes);
+  std::vector<double> reach(planes.size());
+  for (std::size_t r = 0; r < planes.size(); ++r) {
+    if (distances[r].empty()) continue;
+    const double furthest = *std::max_element(distances[r].begin(), distances[r].end()) + kRounding;
+    reach[r] = std::min(furthest, tolerance(planes[r], limits));
+    if (planes[r].spread_area() < kLargePlane) reach[r] = std::min(reach[r], kDeviations * scatter_of(distances[r]));
+  }
+  return reach;
 }
 
 std::vector<std::vector<std::uint32_t>> points_of_regions(std::span<const std::int32_t> of_point, std::size_t count) {

@@ -35,6 +35,15 @@ struct Regions {
 /// How far from its plane a point may lie: four deviations of the plane's own points, between 0.7 times the limit and the limit.
 [[nodiscard]] double tolerance(const PlaneFit& plane, const Limits& limits);
 
+/// How far the points of each region are from its plane, metres: at most its tolerance, and three robust deviations of planes smaller than
+/// kLargePlane; what lies further from those is the side of a board, not its face. Whoever looks at points anew must not give a plane what was
+/// taken from it.
+[[nodiscard]] std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes,
+                                          const Limits& limits);
+
+/// Robust deviation of the points of each region from its plane, metres: 1.48 times the median distance (Rousseeuw & Croux 1993).
+[[nodiscard]] std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes);
+
 /// The points of each region, in order. `count` regions.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> points_of_regions(std::span<const std::int32_t> of_point, std::size_t count);
 

@@ -7,6 +7,28 @@
 
 namespace scenelore::perception {
 
+Candidates candidates_within(const Slots& slots, const std::vector<double>& sigma) {
+  Candidates candidates;
+  std::vector<double> held;  // points, by entry
+  for (std::size_t v = 0; v + 1 < slots.first.size(); ++v) {
+    const std::size_t row = candidates.regions.size();
+    candidates.first.push_back(static_cast<std::uint32_t>(row));
+    for (std::uint32_t s = slots.first[v]; s < slots.first[v + 1]; ++s) {
+      const std::int32_t r = slots.region[s];
+      if (r < 0 || slots.moments[s].n <= 0) continue;
+      std::size_t at = row;
+      while (at < candidates.regions.size() && candidates.regions[at] != r) ++at;
+      if (at == candidates.regions.size()) candidates.regions.push_back(r), held.push_back(0);
+      held[at] += slots.moments[s].n;
+    }
+  }
+  candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    candidates.handicap.push_back(static_cast<float>(std::log(sigma[static_cast<std::size_t>(candidates.regions[k])] / held[k])));
+  }
+  return candidates;
+}
+
 Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel) {
   Slots slots;
   slots.first.resize(grid.count() + 1);
@@ -35,6 +57,13 @@ void refit(const Slots& slots, std::vector<PlaneFit>& planes) {
 /// The planes are fitted anew to what they were given; as long as that moves them by less than what is left free here,
 /// no point is too far from them.
 constexpr double kFree = 0.97;
+
+std::vector<std::int32_t> regions_of_points(const Slots& slots, const std::vector<std::uint32_t>& slot_of_point) {
+  std::vector<std::int32_t> regions;
+  regions.reserve(slot_of_point.size());
+  for (const std::uint32_t s : slot_of_point) regions.push_back(s == kNoVoxel ? -1 : slots.region[s]);
+  return regions;
+}
 
 std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits) {
   std::vector<double> result(planes.size());

@@ -28,6 +28,7 @@ struct Slots {
 struct Candidates {
   std::vector<std::uint32_t> first;     ///< of each voxel, and the number at the end
   std::vector<std::int32_t> regions;    ///< in order of preference
+  std::vector<float> handicap;          ///< by entry, in squared units / 2: what a plane's distance is raised by; empty = nothing
 };
 
 /// What an assignment weighs.
@@ -49,6 +50,10 @@ struct AssignRule {
 [[nodiscard]] Candidates candidates_around(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes,
                                            const std::vector<double>& reach, std::size_t most, int threads);
 
+/// The planes with points in each voxel. Where they cross, a point is more likely of the one that holds more of the voxel's points: with the
+/// deviation of its points, sigma, as unit, the handicap makes the choice one by the mixture of normal distributions across the planes.
+[[nodiscard]] Candidates candidates_within(const Slots& slots, const std::vector<double>& sigma);
+
 /// One slot for all points of each voxel, with the regions that voxels have; for the first assignment.
 [[nodiscard]] Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel);
 
@@ -59,6 +64,9 @@ void refit(const Slots& slots, std::vector<PlaneFit>& planes);
 
 /// How far from the plane the nearest corner of a voxel with this centre is, half an edge given; negative where it is cut.
 [[nodiscard]] double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double half);
+
+/// The region of each point, −1 = none.
+[[nodiscard]] std::vector<std::int32_t> regions_of_points(const Slots& slots, const std::vector<std::uint32_t>& slot_of_point);
 
 /// Tolerances of all planes.
 [[nodiscard]] std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits);

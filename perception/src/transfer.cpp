@@ -28,8 +28,7 @@ void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& li
               bool old_ones_too, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   Regions regions;
   regions.planes = planes;
-  regions.of_point.resize(sample.points.size());
-  for (std::size_t k = 0; k < sample.points.size(); ++k) regions.of_point[k] = slots.region[slot_of_point[k]];
+  regions.of_point = regions_of_points(slots, slot_of_point);
   const std::vector<std::int32_t> before = regions.of_point;
   judge(regions);
 
@@ -49,15 +48,13 @@ void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& li
     if (!changed[r]) regions.planes[r] = planes[r];
   }
   planes = std::move(regions.planes);
-  rule.reach = tolerances(planes, limits);
+  rule.reach = reaches(sample.cloud, regions.of_point, planes, limits);
   rule.unit.assign(planes.size(), 1.0);
-  std::vector<double> furthest(planes.size(), 0);
   std::vector<VoxelRegion> pairs;
   std::vector<std::int32_t> last(grid.count(), -1);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const std::int32_t r = regions.of_point[k];
     if (r < 0) continue;
-    if (changed[r]) furthest[r] = std::max(furthest[r], std::abs(planes[r].distance(sample.cloud.offset(k).cast<double>())));
     const std::uint32_t v = sample.voxels.of_point[k];
     if (!rule.only[v] || last[v] == r) continue;
     last[v] = r;
@@ -65,9 +62,6 @@ void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& li
   }
   for (std::size_t s = 0; old_ones_too && s < slots.count(); ++s) {
     if (rule.only[slots.voxel[s]] && slots.region[s] >= 0 && slots.moments[s].n > 0) pairs.emplace_back(slots.voxel[s], slots.region[s]);
-  }
-  for (std::size_t r = 0; r < planes.size(); ++r) {
-    if (changed[r]) rule.reach[r] = std::min(rule.reach[r], furthest[r] + 1e-5);
   }
   slots = assign_points(sample.cloud, grid, sample.voxels, rows_of(std::move(pairs), grid.count()), planes, rule, threads, slot_of_point, &slots);
   refit(slots, planes);
@@ -99,23 +93,10 @@ void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const 
   planes = planes_of_all(voxels, sample, slots, planes.size());
   AssignRule rule;
   rule.larger_first = false;
-  rule.unit.assign(planes.size(), 1.0);
-  rule.reach.assign(planes.size(), 0.0);
-  Candidates candidates;
-  candidates.first.reserve(voxels.grid.count() + 1);
-  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
-    candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
-    for (std::uint32_t s = slots.first[v]; s < slots.first[v + 1]; ++s) {
-      const std::int32_t r = slots.region[s];
-      if (r < 0 || slots.moments[s].n <= 0) continue;
-      const auto row = candidates.regions.begin() + candidates.first.back();
-      if (std::find(row, candidates.regions.end(), r) == candidates.regions.end()) candidates.regions.push_back(r);
-      if (slots.ruler[s] >= 0) rule.reach[r] = std::max(rule.reach[r], slots.reach[slots.ruler[s]]);
-    }
-  }
-  candidates.first.push_back(static_cast<std::uint32_t>(candidates.regions.size()));
-  const std::vector<double> most = tolerances(planes, limits);
-  for (std::size_t r = 0; r < planes.size(); ++r) rule.reach[r] = std::min(rule.reach[r], most[r]);
+  const std::vector<std::int32_t> region_of_point = regions_of_points(slots, slot_of_point);
+  rule.reach = reaches(sample.cloud, region_of_point, planes, limits);
+  rule.unit = scatters(sample.cloud, region_of_point, planes);
+  const Candidates candidates = candidates_within(slots, rule.unit);
   slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, threads, slot_of_point);
   refit(slots, planes);
 }
