@@ -15,6 +15,7 @@
 #include "part_gaps.hpp"
 #include "part_outlines.hpp"
 #include "scale.hpp"
+#include "sharp_faces.hpp"
 #include "thin_objects.hpp"
 #include "transfer.hpp"
 
@@ -251,6 +252,8 @@ FoundRegions Finder::run() {
   if (in_detail) look_closer(true, [&](Regions& regions) { split_thin_objects(sample_.cloud, found_.upright, found_.limits, regions); });
   things_ = {supports, planes_.size()};
   join_level_pieces(pyramid_, up, flush, supports, noise_by_region(), slots_, planes_);
+  begin("sharp faces");
+  if (in_detail) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions); });
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();

@@ -1,0 +1,106 @@
+// A screen seen from beside it: its front is a sheet, its rim a slab.
+#include "sharp_faces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planar_scenes.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+using testing::Random;
+
+constexpr double kNoise = 0.01;  // metres along the ray
+constexpr int kOfFront = 500, kOfRim = 400;
+
+/// The sensor at the origin looks at a front of 0.5 x 0.3 m in the plane y = `aside`, 1.2 m away, and along a body that is `thick` behind it.
+struct Screen {
+  explicit Screen(double thick, double aside = 0.15) {
+    Random random(3);
+    const auto measure = [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector3d seen = p + kNoise * random.normal() * p.normalized();
+      cloud.x.push_back(static_cast<float>(seen.x())), cloud.y.push_back(static_cast<float>(seen.y())), cloud.z.push_back(static_cast<float>(seen.z()));
+    };
+    const auto front = [&] { return Eigen::Vector3d(1.2 + random.uniform(0, 0.5), aside, random.uniform(-0.15, 0.15)); };
+    for (int i = 0; i < kOfFront; ++i) measure(front());
+    for (int i = 0; i < kOfRim; ++i) {
+      const double side = random.uniform(0, 1) < 0.5 ? -0.15 : 0.15;
+      measure({1.2 + random.uniform(0, 0.5), aside + thick * random.uniform(0, 1), side});
+    }
+    cloud.sensors = SensorPositions(Eigen::Vector3d::Zero());
+    regions.of_point.assign(cloud.size(), 0);
+    regions.planes.resize(1);
+    refit(cloud, regions);
+  }
+
+  [[nodiscard]] auto kept(int begin, int end) const { return std::count(regions.of_point.begin() + begin, regions.of_point.begin() + end, 0); }
+
+  Cloud cloud;
+  Regions regions;
+};
+
+TEST(SharpFaces, LeaveTheRimOfAScreenSeenFromBesideIt) {
+  Screen screen(0.04);
+  ASSERT_GT(screen.regions.planes[0].rmse(), 0.005) << "one plane of both";
+  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  EXPECT_GT(screen.kept(0, kOfFront), 0.95 * kOfFront);
+  EXPECT_LT(screen.kept(kOfFront, kOfFront + kOfRim), 0.25 * kOfRim);
+  EXPECT_LT(screen.regions.planes[0].rmse(), 0.002);
+  EXPECT_GT(std::abs(screen.regions.planes[0].normal.y()), 0.9999) << "within 0.8 degrees of the front";
+}
+
+TEST(SharpFaces, TakeNothingFromWhatIsAsThickAsItsNoise) {
+  Screen screen(0);
+  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  EXPECT_EQ(screen.kept(0, kOfFront + kOfRim), kOfFront + kOfRim);
+}
+
+TEST(SharpFaces, TakeNothingWhereTheSensorLooksSquarely) {
+  Screen screen(0.04, 3);
+  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  EXPECT_EQ(screen.kept(0, kOfFront + kOfRim), kOfFront + kOfRim);
+}
+
+TEST(SharpFaces, TakeNothingWithoutTheSensorsPosition) {
+  Screen screen(0.04);
+  screen.cloud.sensors = {};
+  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  EXPECT_EQ(screen.kept(0, kOfFront + kOfRim), kOfFront + kOfRim);
+}
+
+TEST(SharpFaces, AreTheSameInEveryRun) {
+  Screen once(0.04), again(0.04);
+  keep_sharp_faces(once.cloud, kNoise, once.regions);
+  keep_sharp_faces(again.cloud, kNoise, again.regions);
+  EXPECT_EQ(once.regions.of_point, again.regions.of_point);
+}
+
+TEST(Reaches, OfSmallPlanesAreThreeDeviationsOfMostPoints) {
+  Screen screen(0);
+  const Limits limits{.max_plane_distance = 0.05};
+  for (std::size_t i = 0; i < 20; ++i) screen.cloud.y[i] += 0.04F;  // the front edge of a shelf
+  refit(screen.cloud, screen.regions);
+  const double reach = reaches(screen.cloud, screen.regions.of_point, screen.regions.planes, limits)[0];
+  EXPECT_GT(reach, 0.003);
+  EXPECT_LT(reach, 0.006) << "the deviation across is 1 mm; that of all points is 6 mm";
+  EXPECT_EQ(reaches(screen.cloud, std::vector<std::int32_t>(screen.cloud.size(), -1), screen.regions.planes, limits)[0], 0) << "no points";
+}
+
+TEST(Reaches, OfLargePlanesGoAsFarAsTheirPoints) {
+  Cloud cloud;
+  Random random(8);
+  for (int i = 0; i < 2000; ++i) {
+    cloud.x.push_back(static_cast<float>(random.uniform(0, 3))), cloud.y.push_back(static_cast<float>(random.uniform(0, 3)));
+    cloud.z.push_back(static_cast<float>(0.002 * random.normal()));
+  }
+  cloud.z[0] = 0.03F;
+  Regions regions{std::vector<std::int32_t>(cloud.size(), 0), std::vector<PlaneFit>(1)};
+  refit(cloud, regions);
+  EXPECT_NEAR(reaches(cloud, regions.of_point, regions.planes, {.max_plane_distance = 0.05})[0], 0.03, 0.001);
+  EXPECT_NEAR(reaches(cloud, regions.of_point, regions.planes, {.max_plane_distance = 0.02})[0], 0.014, 0.001) << "at most the tolerance";
+}
+
+}  // namespace
+}  // namespace scenelore::perception
