@@ -17,8 +17,6 @@ constexpr double kLargest = 4;                      // m²
 constexpr double kLongest = 2.4;                    // metres; longer tables are rarer than two in a row
 constexpr double kWidest = 1;                       // metres, of a shadow
 constexpr double kSameHeight = 0.007;               // metres
-constexpr double kWanted = 4;                       // points in a cell
-constexpr double kFinest = 0.03, kCoarsest = 0.08;  // metres
 constexpr double kDeviations = 2.5;                 // of a plane's points: what is further behind it is not on it
 constexpr double kLeastBehind = 0.01;               // metres
 constexpr double kEdge = 0.05;                      // metres, thicker than the edge of a desk and than noise
@@ -85,7 +83,7 @@ bool Bridge::joins(const Piece& a, const Piece& b) const {
   if (!level(plane)) return false;
   std::vector<std::uint32_t> points = a.points;
   points.insert(points.end(), b.points.begin(), b.points.end());
-  const double edge = std::clamp(std::sqrt(kWanted * plane.spread_area() / static_cast<double>(points.size())), kFinest, kCoarsest);
+  const double edge = gap_cell(plane.spread_area(), static_cast<double>(points.size()));
   const PlaneView view = view_of(cloud_, plane, points, edge);
   const Rectangle around = minimum_rectangle(view.held);
   const double length = around.length + edge, width = around.width + edge;

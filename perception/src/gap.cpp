@@ -13,6 +13,11 @@ constexpr double kBeside = 2;         // cells: ways so much longer than the sho
 
 }  // namespace
 
+double gap_cell(double area, double points) {
+  constexpr double kWanted = 4, kFinest = 0.03, kCoarsest = 0.08;
+  return std::clamp(std::sqrt(kWanted * area / points), kFinest, kCoarsest);
+}
+
 CellKey key_of(const PlaneView& view, const Eigen::Vector2d& p) {
   return cell_key(static_cast<std::int64_t>(std::floor(p.x() / view.edge)), static_cast<std::int64_t>(std::floor(p.y() / view.edge)), 0);
 }

@@ -10,6 +10,9 @@
 
 namespace scenelore::perception {
 
+/// Metres, edge of the cells in which gaps are looked for: four points a cell on this area (m²), between 3 and 8 cm.
+[[nodiscard]] double gap_cell(double area, double points);
+
 /// The held cells of a view, piece by piece.
 using PieceCells = std::vector<std::vector<std::size_t>>;
 

@@ -11,8 +11,6 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kLargest = 12;                     // m²
-constexpr double kWanted = 4;                       // points in a cell
-constexpr double kFinest = 0.03, kCoarsest = 0.08;  // metres
 constexpr double kDeviations = 2.5;                 // of a plane's points: what is further behind it is not on it
 constexpr double kLeastBehind = 0.01;               // metres
 
@@ -110,7 +108,7 @@ void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions) {
     const auto count = static_cast<double>(points[r].size());
     const double area = plane.spread_area();
     if (count < 2 * limits.min_points || area > kLargest) continue;
-    PlaneView view = view_of(cloud, plane, points[r], std::clamp(std::sqrt(kWanted * area / count), kFinest, kCoarsest));
+    PlaneView view = view_of(cloud, plane, points[r], gap_cell(area, count));
     const Pieces pieces = pieces_of(view);
     if (std::count_if(pieces.points.begin(), pieces.points.end(), [&](double n) { return n >= limits.min_points; }) < 2) continue;
     look_past(cloud, plane, std::max(kDeviations * plane.rmse(), kLeastBehind), view);
