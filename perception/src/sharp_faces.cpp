@@ -121,7 +121,7 @@ void keep_sharp_faces(const Cloud& cloud, double noise, Regions& regions) {
     if (points[r].size() < kFewest) continue;
     const PlaneFit plane = fit_plane(moments_of(cloud, points[r]));
     if (plane.spread_area() > kLargePlane) continue;
-    const double cosine = slant(cloud, plane.normal, points[r]), across = noise * std::max(cosine, kLeastSlant);
+    const double cosine = slant(cloud, plane.normal, points[r]), across = std::max(kFinest, noise * std::max(cosine, kLeastSlant));
     if (cosine > kSlant || plane.rmse() < kTooThick * across) continue;
     const std::vector<std::uint32_t> face = sharp_face(cloud, plane, across, points[r]);
     if (face.size() == points[r].size()) continue;
