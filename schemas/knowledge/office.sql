@@ -171,6 +171,9 @@ INSERT INTO class_constraint (name, class, quantifier, relation, other_class, co
   ('wall_meets_ceiling',    'wall',        'every',    'orthogonal', 'ceiling', NULL, 1.5, 'a wall is orthogonal to the ceiling'),
   ('wall_beside_wall',      'wall',        'some',     'near',       'wall',    NULL, 0.3, 'a wall goes on into the next one'),
   ('wall_at_corner',        'wall',        'some',     'meets_at_corner', 'wall', NULL, 0.5, 'a wall meets another at a corner of the room'),
+  ('wall_in_one_plane',     'wall',        'some',     'coplanar',   'wall',      NULL, 0.3, 'a wall goes on in its own plane'),
+  ('cabinet_off_wall',      'cabinet',     'no',       'coplanar',   'wall',      NULL, 0.3, 'a cabinet stands out from the walls'),
+  ('window_off_wall',       'window',      'no',       'coplanar',   'wall',      NULL, 0.3, 'a window lies behind the face of its wall'),
 -- tables and what stands on them
   ('table_level',           'table',       'every',    'parallel',   'floor',       NULL, 3.0, 'a table top is parallel to the floor'),
   ('table_over_floor',      'table',       'no',       'under',      'floor',       NULL, 4.0, 'a table is not under a floor'),
