@@ -11,18 +11,23 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kSmallest = 0.5, kLargest = 4;  // m²
+constexpr double kLargestSeenPast = 12;          // m², where rays tell: desks that touch in a U across a room
 constexpr double kWanted = 5;                     // points in a cell
 constexpr double kFinest = 0.05, kCoarsest = 0.08;  // metres
 constexpr std::size_t kFewest = 40;               // points
 constexpr double kBehind = 0.05;                  // metres, thicker than the edge of a desk and than noise
 
+bool seen_past(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up) {
+  return cloud.sensors.known() && std::abs(plane.normal.dot(up)) > kLevel;
+}
+
 /// The cells of a plane's parts. What the sensor saw past the plane is stronger evidence than how well rectangles are
 /// filled, since it does not take shadows for notches; only level planes are seen past on all sides.
 std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up, PlaneView& view) {
-  if (cloud.sensors.known() && std::abs(plane.normal.dot(up)) > kLevel) {
+  if (seen_past(cloud, plane, up)) {
     look_past(cloud, plane, kBehind, view);
     auto parts = part_into_rectangles(view);
-    if (parts.size() > 1) return parts;
+    if (parts.size() > 1 || plane.spread_area() > kLargest) return parts;
   }
   return cut_outline(view.held, view.edge, {.clearly = 0.8, .fill = 0.62, .smallest_part = 0.1, .largest = kLargest});
 }
@@ -35,7 +40,7 @@ void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regio
   for (std::size_t r = 0; r < points.size(); ++r) {
     const PlaneFit plane = regions.planes[r];
     const double area = plane.spread_area();
-    if (points[r].size() < kFewest || area < kSmallest || area > kLargest) continue;
+    if (points[r].size() < kFewest || area < kSmallest || area > (seen_past(cloud, plane, up) ? kLargestSeenPast : kLargest)) continue;
     const double edge = std::clamp(std::sqrt(kWanted * area / static_cast<double>(points[r].size())), kFinest, kCoarsest);
     PlaneView view = view_of(cloud, plane, points[r], edge);
     const auto parts = parts_of(cloud, plane, up, view);

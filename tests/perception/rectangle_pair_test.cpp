@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "part_outlines.hpp"
 #include "planar_scenes.hpp"
 #include "rectangle_pair.hpp"
 #include "scenelore/perception/perceive.hpp"
@@ -172,6 +173,67 @@ TEST(LookPast, SeesNothingPastAPlaneItLiesIn) {
   scene.cloud.sensors = SensorPositions(Eigen::Vector3d(-2, 0, 0.75));
   look_past(scene.cloud, plane, kEdge, view);
   EXPECT_TRUE(view.empty.empty());
+}
+
+/// Three desks that touch in a U of 4.4 x 2.2 m, more than 4 m² as points spread; `eye` sees the floor through its notch.
+struct DesksInAU {
+  explicit DesksInAU(const Eigen::Vector3d& eye) {
+    Random random(4);
+    const auto desk_of = [&](const Eigen::Vector2d& p) {
+      const auto of = std::find_if(desks.begin(), desks.end(), [&](const Rectangle& desk) { return desk.holds(p); });
+      return of == desks.end() ? -1 : static_cast<int>(of - desks.begin());
+    };
+    for (int i = 0; i < 60'000; ++i) {
+      const Eigen::Vector3d floor(random.uniform(-1.5, 4.7), random.uniform(-2, 3), 0);
+      const Eigen::Vector2d crossed = (eye + (eye.z() - 0.74) / eye.z() * (floor - eye)).head<2>(), top(random.uniform(-0.6, 3.8), random.uniform(0, 2.2));
+      if (desk_of(crossed) < 0) add(floor, -1);
+      if (i % 4 == 0 && desk_of(top) >= 0) add({top.x(), top.y(), 0.74 + 0.005 * random.normal()}, desk_of(top));
+    }
+    cloud.sensors = SensorPositions(eye);
+    for (const int desk : truth) regions.of_point.push_back(desk < 0 ? -1 : 0);
+    regions.planes.resize(1);
+    refit(cloud, regions);
+  }
+
+  void add(const Eigen::Vector3d& p, int desk) {
+    cloud.x.push_back(static_cast<float>(p.x())), cloud.y.push_back(static_cast<float>(p.y())), cloud.z.push_back(static_cast<float>(p.z()));
+    truth.push_back(desk);
+  }
+  /// The region with most points of a desk, and what share of them it has.
+  [[nodiscard]] std::pair<std::int32_t, double> mostly(int desk) const {
+    std::vector<int> held(regions.planes.size(), 0);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (truth[i] == desk) ++held[static_cast<std::size_t>(regions.of_point[i])];
+    }
+    const auto most = std::max_element(held.begin(), held.end());
+    return {static_cast<std::int32_t>(most - held.begin()), *most / static_cast<double>(std::accumulate(held.begin(), held.end(), 0))};
+  }
+
+  std::vector<Rectangle> desks{{{-0.6, 0}, {3.8, 0.8}}, {{0, 0.8}, {0.8, 2.2}}, {{2.4, 0.8}, {3.2, 2.2}}};
+  Cloud cloud;
+  std::vector<int> truth;
+  Regions regions;
+};
+
+TEST(PartOutlines, TellsDesksApartThatTouchInAUAcrossARoom) {
+  DesksInAU scene({1.6, 3.5, 1.7});
+  ASSERT_GT(scene.regions.planes[0].spread_area(), 4) << "as large as small floors";
+  part_outlines(scene.cloud, Eigen::Vector3d::UnitZ(), scene.regions);
+  std::vector<std::int32_t> regions;
+  for (int desk = 0; desk < 3; ++desk) {
+    const auto [region, share] = scene.mostly(desk);
+    EXPECT_GT(share, desk == 0 ? 0.55 : 0.95) << "desk " << desk << "; cuts go straight through, and the first may go on through the long one";
+    regions.push_back(region);
+  }
+  std::sort(regions.begin(), regions.end());
+  EXPECT_EQ(std::unique(regions.begin(), regions.end()), regions.end());
+}
+
+TEST(PartOutlines, LeavesALargeLevelPlaneWholeThatNobodySawPast) {
+  DesksInAU scene({1.6, 3.5, 1.7});
+  scene.cloud.sensors = {};
+  part_outlines(scene.cloud, Eigen::Vector3d::UnitZ(), scene.regions);
+  EXPECT_EQ(scene.regions.planes.size(), 1U);
 }
 
 TEST(Segment, TellsTwoDesksOfOneHeightApartByWhatLiesBehindThem) {
