@@ -15,19 +15,21 @@ using testing::Random;
 constexpr double kNoise = 0.01;  // metres along the ray
 constexpr int kOfFront = 500, kOfRim = 400;
 
-/// The sensor at the origin looks at a front of 0.5 x 0.3 m in the plane y = `aside`, 1.2 m away, and along a body that is `thick` behind it.
+/// The sensor at the origin looks at a front of 0.5 x 0.3 m in the plane y = `aside`, 1.2 m away, and along a body that is `thick` behind it, more so at
+/// the far end of one that is `wedged`.
 struct Screen {
-  explicit Screen(double thick, double aside = 0.15) {
+  explicit Screen(double thick, double aside = 0.15, double noise = kNoise, bool wedged = false) {
     Random random(3);
     const auto measure = [&](const Eigen::Vector3d& p) {
-      const Eigen::Vector3d seen = p + kNoise * random.normal() * p.normalized();
+      const Eigen::Vector3d seen = p + noise * random.normal() * p.normalized();
       cloud.x.push_back(static_cast<float>(seen.x())), cloud.y.push_back(static_cast<float>(seen.y())), cloud.z.push_back(static_cast<float>(seen.z()));
     };
     const auto front = [&] { return Eigen::Vector3d(1.2 + random.uniform(0, 0.5), aside, random.uniform(-0.15, 0.15)); };
     for (int i = 0; i < kOfFront; ++i) measure(front());
     for (int i = 0; i < kOfRim; ++i) {
       const double side = random.uniform(0, 1) < 0.5 ? -0.15 : 0.15;
-      measure({1.2 + random.uniform(0, 0.5), aside + thick * random.uniform(0, 1), side});
+      const double along = random.uniform(0, 0.5), share = wedged ? random.uniform(along, along + 0.5) : random.uniform(0, 1);
+      measure({1.2 + along, aside + thick * share, side});
     }
     cloud.sensors = SensorPositions(Eigen::Vector3d::Zero());
     regions.of_point.assign(cloud.size(), 0);
@@ -51,6 +53,14 @@ TEST(SharpFaces, LeaveTheRimOfAScreenSeenFromBesideIt) {
   EXPECT_GT(std::abs(screen.regions.planes[0].normal.y()), 0.9999) << "within 0.8 degrees of the front";
 }
 
+TEST(SharpFaces, AreFoundWhereThePlaneOfAllIsTurnedAgainstThem) {
+  Screen screen(0.06, 0.15, kNoise, true);
+  ASSERT_LT(std::abs(screen.regions.planes[0].normal.y()), 0.99985) << "by more than a degree";
+  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  EXPECT_GT(screen.kept(0, kOfFront), 0.95 * kOfFront);
+  EXPECT_GT(std::abs(screen.regions.planes[0].normal.y()), 0.9999);
+}
+
 TEST(SharpFaces, TakeNothingFromWhatIsAsThickAsItsNoise) {
   Screen screen(0);
   keep_sharp_faces(screen.cloud, kNoise, screen.regions);
@@ -58,8 +68,9 @@ TEST(SharpFaces, TakeNothingFromWhatIsAsThickAsItsNoise) {
 }
 
 TEST(SharpFaces, TakeNothingWhereTheSensorLooksSquarely) {
-  Screen screen(0.04, 3);
-  keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+  constexpr double exact = 0.001;  // so that the front is a sheet here, too
+  Screen screen(0.04, 3, exact);
+  keep_sharp_faces(screen.cloud, exact, screen.regions);
   EXPECT_EQ(screen.kept(0, kOfFront + kOfRim), kOfFront + kOfRim);
 }
 
