@@ -253,7 +253,7 @@ FoundRegions Finder::run() {
   things_ = {supports, planes_.size()};
   join_level_pieces(pyramid_, up, flush, supports, noise_by_region(), slots_, planes_);
   begin("sharp faces");
-  if (in_detail) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions); });
+  if (in_detail && !found_.limits.plane_distance_given) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions); });
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();

@@ -52,7 +52,7 @@ std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of
     if (distances[r].empty()) continue;
     const double furthest = *std::max_element(distances[r].begin(), distances[r].end()) + kRounding;
     reach[r] = std::min(furthest, tolerance(planes[r], limits));
-    if (planes[r].spread_area() < kLargePlane) reach[r] = std::min(reach[r], kDeviations * scatter_of(distances[r]));
+    if (!limits.plane_distance_given && planes[r].spread_area() < kLargePlane) reach[r] = std::min(reach[r], kDeviations * scatter_of(distances[r]));
   }
   return reach;
 }

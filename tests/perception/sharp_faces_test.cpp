@@ -96,6 +96,8 @@ TEST(Reaches, OfSmallPlanesAreThreeDeviationsOfMostPoints) {
   const double reach = reaches(screen.cloud, screen.regions.of_point, screen.regions.planes, limits)[0];
   EXPECT_GT(reach, 0.003);
   EXPECT_LT(reach, 0.006) << "the deviation across is 1 mm; that of all points is 6 mm";
+  EXPECT_GT(reaches(screen.cloud, screen.regions.of_point, screen.regions.planes, {.max_plane_distance = 0.05, .plane_distance_given = true})[0], 0.03)
+      << "a distance that the user sets decides alone";
   EXPECT_EQ(reaches(screen.cloud, std::vector<std::int32_t>(screen.cloud.size(), -1), screen.regions.planes, limits)[0], 0) << "no points";
 }
 
