@@ -234,7 +234,7 @@ FoundRegions Finder::run() {
   merge();
   assign();
   merge();
-  bridge_shadows(found_.limits.max_plane_distance / 3, kLargePlane, slots_, planes_);
+  bridge_shadows(found_.limits.max_plane_distance / 3, kLargePlane, voxels_.grid.size, slots_, planes_);
   begin("clutter");
   drop_clutter(voxels_.grid, slots_, planes_);
   assign();  // what clutter held may belong to what is left

@@ -94,11 +94,15 @@ void merge_regions(const Pyramid& pyramid, std::vector<double> noise, Slots& slo
   merge_where(touching_regions(pyramid, slots, 1), std::move(noise), [](const Moments&, const Moments&) { return true; }, slots, planes);
 }
 
-void bridge_shadows(double noise, double smallest, Slots& slots, std::vector<PlaneFit>& planes) {
+void bridge_shadows(double noise, double smallest, double voxel, Slots& slots, std::vector<PlaneFit>& planes) {
+  std::vector<double> covered(planes.size(), 0);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] >= 0 && slots.moments[s].n > 0) covered[slots.region[s]] += voxel * voxel;
+  }
   constexpr double kInLine = 0.985;      // cosine of 10 degrees
   std::vector<Pair> pairs;
   for (std::size_t a = 0; a < planes.size(); ++a) {
-    if (planes[a].count <= 0 || planes[a].spread_area() < smallest) continue;
+    if (planes[a].count <= 0 || std::min(planes[a].spread_area(), covered[a]) < smallest) continue;
     for (std::size_t b = 0; b < planes.size(); ++b) {
       if (a == b || planes[b].count <= 0 || std::abs(planes[a].normal.dot(planes[b].normal)) < kInLine) continue;
       // The larger plane goes on past the smaller one's middle.
