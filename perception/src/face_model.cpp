@@ -12,10 +12,16 @@ struct Curve {
   std::array<double, kKnots> at, odds;
 };
 
+struct Model {
+  double offset;
+  std::array<Curve, kTraits> curves;
+};
+
 #include "face_curves.inc"
 
 double value(const Curve& curve, double x) {
-  if (!(x > curve.at.front())) return curve.odds.front();
+  if (std::isnan(x)) return 0;  // the mean of a curve over the examples
+  if (x <= curve.at.front()) return curve.odds.front();
   for (std::size_t k = 1; k < kKnots; ++k) {
     if (x >= curve.at[k]) continue;
     const double t = (x - curve.at[k - 1]) / (curve.at[k] - curve.at[k - 1]);
@@ -26,9 +32,10 @@ double value(const Curve& curve, double x) {
 
 }  // namespace
 
-double face_probability(const FaceTraits& traits) {
-  double odds = kOffset;
-  for (std::size_t t = 0; t < kTraits; ++t) odds += value(kCurves[t], traits[t]);
+double face_probability(const FaceTraits& traits, bool thing) {
+  const Model& model = thing ? kThings : kSurfaces;
+  double odds = model.offset;
+  for (std::size_t t = 0; t < kTraits; ++t) odds += value(model.curves[t], traits[t]);
   return 1 / (1 + std::exp(-odds));
 }
 

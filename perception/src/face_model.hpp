@@ -7,7 +7,8 @@
 
 namespace scenelore::perception {
 
-/// Between 0 and 1: that at least half of region and face are the same (IoU 0.5).
-[[nodiscard]] double face_probability(const FaceTraits& traits);
+/// Between 0 and 1: that at least half of region and face are the same (IoU 0.5). A `thing` was found on a plane (thin_objects.hpp) and has curves of its
+/// own: small and close to a larger plane is what it should be. A trait that is NaN speaks neither for nor against.
+[[nodiscard]] double face_probability(const FaceTraits& traits, bool thing);
 
 }  // namespace scenelore::perception

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace scenelore::perception {
 namespace {
@@ -18,6 +20,8 @@ constexpr double kBefore = 0.8;         // voxels along the normal: what lies be
 // What is thinner, smoother or more even than this is no less a face. In simulated scans hardly anything is, but slivers of rounded
 // distances, which must not speak against an exact cloud.
 constexpr double kThin = 0.04, kSmooth = 0.9, kEven = 0.3;
+constexpr double kLeastDeviation = 0.0001;  // metres
+constexpr double kLeastSlant = 0.1;         // cosine; directions are not exact either
 
 /// Sums over the voxels of a region.
 struct Tally {
@@ -35,8 +39,8 @@ struct Owner {
 class Measure {
  public:
   Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
-          const std::vector<PlaneFit>& planes, const Things& things)
-      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), things_(things), tally_(planes.size()), owner_(grid.count()) {}
+          const std::vector<PlaneFit>& planes, const View& view, const Things& things)
+      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things), tally_(planes.size()), owner_(grid.count()) {}
 
   std::vector<FaceTraits> run() {
     for (std::size_t v = 0; v < grid_.count(); ++v) choose_owner(v);
@@ -71,6 +75,7 @@ class Measure {
   const std::vector<double>& noise_;
   const Slots& slots_;
   const std::vector<PlaneFit>& planes_;
+  const View& view_;
   Things things_;
   std::vector<Tally> tally_;
   std::vector<Owner> owner_;
@@ -159,21 +164,24 @@ FaceTraits Measure::traits(std::size_t r) const {
   set(Trait::roughness, std::max(kSmooth, std::sqrt(variance) / noise));
   set(Trait::agreeing, t.judged > 0 ? t.agreeing / t.judged : 0.5);
   set(Trait::unevenness, std::max(kEven, std::log10(1 + t.uneven / (std::max(1.0, t.voxels - 3) * noise * noise))));
-  set(Trait::fill, std::min(4.0, t.voxels * grid_.size * grid_.size / area));
-  const double nearest = kFar - t.nearer / std::max(1.0, t.voxels);
-  set(Trait::layer, things_.hold(r) ? kFar : nearest);
-  set(Trait::over, things_.hold(r) ? nearest : kFar);
+  const double long_side = std::sqrt(12 * along) + grid_.size, short_side = std::sqrt(12 * across) + grid_.size;
+  set(Trait::fill, std::min(4.0, t.voxels * grid_.size * grid_.size / (long_side * short_side)));
+  set(Trait::layer, kFar - t.nearer / std::max(1.0, t.voxels));
   set(Trait::contact, std::min(1.0, t.contact / std::max(1.0, t.border)));
   set(Trait::left, t.left / all);
   set(Trait::foreign, t.foreign / all);
+  set(Trait::tilt, std::acos(std::min(1.0, std::abs(plane.normal.dot(view_.up)))) * 180 / std::numbers::pi);
+  const double slant = r < view_.slant.size() ? view_.slant[r] : std::numeric_limits<double>::quiet_NaN();
+  set(Trait::slant, slant);
+  set(Trait::excess, std::isnan(slant) ? slant : std::log10(std::max(std::sqrt(variance), kLeastDeviation) / std::max(view_.noise * std::max(slant, kLeastSlant), kLeastDeviation)));
   return out;
 }
 
 }  // namespace
 
 std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise_of_region,
-                                    const Slots& slots, const std::vector<PlaneFit>& planes, const Things& things) {
-  return Measure(grid, surfaces, noise_of_region, slots, planes, things).run();
+                                    const Slots& slots, const std::vector<PlaneFit>& planes, const View& view, const Things& things) {
+  return Measure(grid, surfaces, noise_of_region, slots, planes, view, things).run();
 }
 
 }  // namespace scenelore::perception

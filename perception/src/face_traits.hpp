@@ -19,14 +19,17 @@ enum class Trait : std::uint8_t {
   roughness,  ///< deviation over the noise of the place; at least 0.9
   agreeing,   ///< share of the points whose 15 cm surroundings lie like the region
   unevenness, ///< log10 of (1 + mean squared deviation of voxel means, in units of what chance allows); at least 0.3
-  fill,       ///< area of its voxels over the area that it spreads over
-  layer,      ///< distance from larger, almost parallel planes before or behind it, in their deviations; 8 = far, none, or found as a thing; mean of its voxels
-  over,       ///< the same of what was found as a thing on a plane, in centimetres, 8 for all others: layers of scatter are seldom found so
+  fill,       ///< area of its voxels over that of the rectangle that it spreads over, a voxel larger each way since the rim takes whole ones
+  layer,      ///< distance from larger, almost parallel planes before or behind it, mean of its voxels: in their deviations; of what was found as a
+              ///< thing on a plane in centimetres; 8 = far, or none
   contact,    ///< share of its border voxels that go on into another region at a slope
   left,       ///< share of the points in its voxels that no plane explains
   foreign,    ///< share of the points in its voxels that are other planes'
+  tilt,       ///< degrees between it and level, 0 to 90: what people build is level or upright
+  slant,      ///< mean cosine between its normal and the rays to its points; NaN where it is not known from where they were measured
+  excess,     ///< log10 of its deviation over the noise of a range, as much of it as lies across at this slant; NaN as for slant
 };
-inline constexpr std::size_t kTraits = 13;
+inline constexpr std::size_t kTraits = 15;
 using FaceTraits = std::array<double, kTraits>;
 
 /// Numbers of the regions that thin_objects.hpp made.
@@ -35,9 +38,16 @@ struct Things {
   [[nodiscard]] bool hold(std::size_t region) const { return region >= first && region < end; }
 };
 
+/// From where regions are judged.
+struct View {
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  double noise = 0;           ///< of a range, metres
+  std::vector<double> slant;  ///< by region, see Trait::slant; shorter = not known of the rest
+};
+
 /// One row a region; zeros for those without points. `noise_of_region`: metres, see merge.hpp.
 [[nodiscard]] std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces,
                                                   const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes,
-                                                  const Things& things = {});
+                                                  const View& view, const Things& things = {});
 
 }  // namespace scenelore::perception

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "absorb.hpp"
 #include "bridge_tables.hpp"
@@ -15,6 +16,7 @@
 #include "part_gaps.hpp"
 #include "part_outlines.hpp"
 #include "scale.hpp"
+#include "seen_from.hpp"
 #include "sharp_faces.hpp"
 #include "thin_objects.hpp"
 #include "transfer.hpp"
@@ -35,8 +37,8 @@ constexpr double kLargeStep = 0.5;  // m²
 
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
 // hardly any.
-// What was found as a thing on a plane has its own evidence already, and is what labels need most: keyboards are thin layers to every trait.
-constexpr double kFace = 0.3, kThing = 0.2, kLargeFace = 0.1, kLarge = 2;  // m²
+// Things on planes are what labels need most: a keyboard that is lost costs them more than a paper that is found.
+constexpr double kFace = 0.35, kThing = 0.2, kLargeFace = 0.1, kLarge = 2;  // m²
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -80,7 +82,8 @@ class Finder {
   [[nodiscard]] std::vector<float> weights_of_sample() const;
   void bridge(const Eigen::Vector3d& up);
   void drop_steps();
-  void give_up();
+  [[nodiscard]] View view(const Eigen::Vector3d& up) const;
+  void give_up(const Eigen::Vector3d& up);
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
     transfer(sample_, voxels_.grid, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
@@ -208,19 +211,32 @@ void Finder::drop_steps() {
   refit(slots_, planes_);
 }
 
+/// At what slant the sensor saw each region, by some of its points.
+View Finder::view(const Eigen::Vector3d& up) const {
+  constexpr std::size_t kSome = 200;
+  View view{up, found_.noise, {}};
+  for (const std::vector<std::uint32_t>& all : points_of_regions(regions_of_points(slots_, slot_of_point_), planes_.size())) {
+    std::vector<std::uint32_t> some;
+    for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / kSome) some.push_back(all[k]);
+    const Eigen::Vector3d& normal = planes_[view.slant.size()].normal;
+    view.slant.push_back(slant_of(sample_.cloud, normal, some).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return view;
+}
+
 /// What is more likely clutter, a sliver or two faces under one plane is given up, unless somebody wants to learn from it.
-void Finder::give_up() {
+void Finder::give_up(const Eigen::Vector3d& up) {
   begin("faces");
   const std::vector<FaceTraits> traits =
-      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, things_);
+      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up), things_);
   if (unjudged_ != nullptr) {
-    *unjudged_ = {traits, sample_.points, regions_of_points(slots_, slot_of_point_)};
+    *unjudged_ = {traits, things_, sample_.points, regions_of_points(slots_, slot_of_point_)};
     return;
   }
   std::vector<bool> given_up(planes_.size());
   for (std::size_t r = 0; r < planes_.size(); ++r) {
     const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : things_.hold(r) ? kThing : kFace;
-    given_up[r] = planes_[r].count > 0 && face_probability(traits[r]) < least;
+    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], things_.hold(r)) < least;
     if (given_up[r]) planes_[r] = PlaneFit();
   }
   for (std::int32_t& r : slots_.region) {
@@ -257,7 +273,7 @@ FoundRegions Finder::run() {
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();
-  give_up();
+  give_up(up);
   begin("shadows");
   if (in_detail) bridge(up);
   begin("promises");

@@ -17,6 +17,7 @@ struct FoundRegions : Settled {
 /// The regions that the face model is asked about, for learning it.
 struct Unjudged {
   std::vector<FaceTraits> traits;            ///< by region
+  Things things;
   std::vector<std::uint32_t> points;         ///< of the cloud, those in the sample
   std::vector<std::int32_t> region_of_point; ///< by point of the sample; −1 = none
 };

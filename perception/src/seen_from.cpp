@@ -1,5 +1,6 @@
 #include "seen_from.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace scenelore::perception {
@@ -21,6 +22,18 @@ std::optional<bool> seen_from_front(const Cloud& cloud, const PlaneEquation& pla
   }
   if (front == 0) return std::nullopt;
   return front > 0;
+}
+
+std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points) {
+  double sum = 0;
+  for (const std::uint32_t i : points) {
+    const std::size_t position = cloud.sensors.of_point(i);
+    if (position >= cloud.sensors.positions().size()) return std::nullopt;
+    const Eigen::Vector3d ray = cloud.offset(i).cast<double>() - (cloud.sensors.positions()[position] - cloud.origin);
+    sum += std::abs(ray.normalized().dot(normal));
+  }
+  if (points.empty()) return std::nullopt;
+  return sum / static_cast<double>(points.size());
 }
 
 }  // namespace scenelore::perception

@@ -1,4 +1,4 @@
-// On which side of a plane the sensor stood.
+// From where the sensor saw a plane: on which side it stood, and at what slant.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,9 @@ namespace scenelore::perception {
 /// Whether the sensor stood on the side that the normal points to (the plane in the cloud's offsets) when it measured these points, or most
 /// of them where it stood on both sides. Nothing where that is not known, or as many points say the one as the other.
 [[nodiscard]] std::optional<bool> seen_from_front(const Cloud& cloud, const PlaneEquation& plane, std::span<const std::uint32_t> points);
+
+/// Mean cosine between the normal and the rays to these points, 0 (along the plane) to 1 (squarely). Nothing where it is not known of every point from
+/// where it was measured, or there are no points.
+[[nodiscard]] std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points);
 
 }  // namespace scenelore::perception

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "seen_from.hpp"
+
 namespace scenelore::perception {
 namespace {
 
@@ -85,18 +87,6 @@ SheetInSlab fit_sheet(const Points& points, const PlaneEquation& start, double s
   return model;
 }
 
-/// Mean cosine between the rays to these points and the normal.
-double slant(const Cloud& cloud, const Eigen::Vector3d& normal, const std::vector<std::uint32_t>& points) {
-  double sum = 0;
-  for (const std::uint32_t i : points) {
-    const std::size_t position = cloud.sensors.of_point(i);
-    if (position >= cloud.sensors.positions().size()) return 1;
-    const Eigen::Vector3d ray = cloud.offset(i).cast<double>() - (cloud.sensors.positions()[position] - cloud.origin);
-    sum += std::abs(ray.normalized().dot(normal));
-  }
-  return sum / static_cast<double>(points.size());
-}
-
 /// The points of the face in a region that is thicker than its noise; all of them where no sharp face stands out.
 std::vector<std::uint32_t> sharp_face(const Cloud& cloud, const PlaneFit& plane, double across, const std::vector<std::uint32_t>& members) {
   Points points;
@@ -121,7 +111,7 @@ void keep_sharp_faces(const Cloud& cloud, double noise, Regions& regions) {
     if (points[r].size() < kFewest) continue;
     const PlaneFit plane = fit_plane(moments_of(cloud, points[r]));
     if (plane.spread_area() > kLargePlane) continue;
-    const double cosine = slant(cloud, plane.normal, points[r]), across = std::max(kFinest, noise * std::max(cosine, kLeastSlant));
+    const double cosine = slant_of(cloud, plane.normal, points[r]).value_or(1), across = std::max(kFinest, noise * std::max(cosine, kLeastSlant));
     if (cosine > kSlant || plane.rmse() < kTooThick * across) continue;
     const std::vector<std::uint32_t> face = sharp_face(cloud, plane, across, points[r]);
     if (face.size() == points[r].size()) continue;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "find_regions.hpp"
 #include "planar_scenes.hpp"
@@ -20,7 +23,7 @@ using V = Eigen::Vector3d;
 double of(const FaceTraits& traits, Trait trait) { return traits[static_cast<std::size_t>(trait)]; }
 
 /// A floor, and over a corner of it a smaller plane at this height.
-std::vector<FaceTraits> floor_and_plane_above(double height, const Things& things = {}) {
+std::vector<FaceTraits> floor_and_plane_above(double height, const Things& things = {}, const View& view = {.up = V::UnitZ(), .noise = 0.005, .slant = {1, 1}}) {
   Scene scene;
   Random random(3);
   scene.add_rectangle(V(0, 0, 0), V(2, 0, 0), V(0, 2, 0), 4000, 0.005, 0, random);
@@ -40,7 +43,7 @@ std::vector<FaceTraits> floor_and_plane_above(double height, const Things& thing
   const Slots slots = assign_points(scene.cloud, voxels.grid, voxels, all, both, rule, 1, slot_of_point);
   std::vector<PlaneFit> planes(2);
   refit(slots, planes);
-  return face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, things);
+  return face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, view, things);
 }
 
 TEST(FaceTraits, TellALayerFromAPlaneFurtherUp) {
@@ -52,12 +55,34 @@ TEST(FaceTraits, TellALayerFromAPlaneFurtherUp) {
   EXPECT_EQ(of(near[0], Trait::layer), 8) << "the larger plane is nobody's layer";
 }
 
-TEST(FaceTraits, TellAThingOverAPlaneFromALayer) {
+TEST(FaceTraits, TellHowFarAThingIsOverItsPlaneInCentimetres) {
   const std::vector<FaceTraits> layer = floor_and_plane_above(0.012), thing = floor_and_plane_above(0.012, {.first = 1, .end = 2});
-  EXPECT_EQ(of(layer[1], Trait::over), 8);
-  EXPECT_EQ(of(thing[1], Trait::layer), 8);
-  EXPECT_NEAR(of(thing[1], Trait::over), 1.2, 0.4) << "centimetres";
-  EXPECT_EQ(of(thing[0], Trait::over), 8);
+  EXPECT_NEAR(of(layer[1], Trait::layer), 2.4, 0.8) << "deviations";
+  EXPECT_NEAR(of(thing[1], Trait::layer), 1.2, 0.4) << "centimetres";
+  EXPECT_EQ(of(thing[0], Trait::layer), 8);
+}
+
+TEST(FaceTraits, TellTheTiltAgainstUp) {
+  const double angle = 30 * std::numbers::pi / 180;
+  const V leaning(std::sin(angle), 0, std::cos(angle));
+  EXPECT_NEAR(of(floor_and_plane_above(0.3)[1], Trait::tilt), 0, 0.1);
+  EXPECT_NEAR(of(floor_and_plane_above(0.3, {}, {.up = leaning, .noise = 0.005, .slant = {1, 1}})[1], Trait::tilt), 30, 0.1);
+  EXPECT_NEAR(of(floor_and_plane_above(0.3, {}, {.up = -leaning, .noise = 0.005, .slant = {1, 1}})[1], Trait::tilt), 30, 0.1) << "a plane has two sides";
+}
+
+TEST(FaceTraits, ExpectLessNoiseAcrossAPlaneThatIsSeenAtASlant) {
+  const auto seen_at = [](double slant) { return floor_and_plane_above(0.3, {}, {.up = V::UnitZ(), .noise = 0.005, .slant = {slant, slant}})[1]; };
+  EXPECT_NEAR(of(seen_at(1), Trait::excess), 0, 0.03);
+  EXPECT_NEAR(of(seen_at(0.5), Trait::excess), std::log10(2), 0.03);
+  EXPECT_NEAR(of(seen_at(0), Trait::excess), 1, 0.03) << "a tenth at the least";
+  EXPECT_EQ(of(seen_at(0.5), Trait::slant), 0.5);
+}
+
+TEST(FaceTraits, AreNotNumbersWhereNobodyKnowsFromWhereItWasSeen) {
+  const FaceTraits plane = floor_and_plane_above(0.3, {}, {.up = V::UnitZ(), .noise = 0.005, .slant = {}})[1];
+  EXPECT_TRUE(std::isnan(of(plane, Trait::slant)));
+  EXPECT_TRUE(std::isnan(of(plane, Trait::excess)));
+  EXPECT_GT(face_probability(plane, false), 0.5) << "speaks neither for nor against";
 }
 
 TEST(FaceTraits, TakeWhatLiesBesideAPlaneForNoLayer) {
@@ -72,9 +97,9 @@ TEST(FaceTraits, TakeWhatLiesBesideAPlaneForNoLayer) {
   const Slots slots = slots_of_voxels(voxels.grid, region);
   std::vector<PlaneFit> planes(2);
   refit(slots, planes);
-  const auto traits = face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes);
+  const auto traits = face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, View{.up = V::UnitZ(), .noise = 0.005, .slant = {1, 1}});
   EXPECT_GT(of(traits[1], Trait::layer), 7.5);
-  EXPECT_GT(face_probability(traits[1]), 0.5);
+  EXPECT_GT(face_probability(traits[1], false), 0.5);
 }
 
 TEST(FaceTraits, MeasureACleanPlaneAsOne) {
@@ -94,7 +119,7 @@ TEST(FaceTraits, AreZerosForRegionsWithoutPoints) {
   const Scene scene = testing::room(0.005);
   const VoxelisedCloud voxels = voxelise(scene.cloud, 0.05, 1);
   const Slots slots = slots_of_voxels(voxels.grid, std::vector<std::int32_t>(voxels.grid.count(), -1));
-  const auto traits = face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005}, slots, std::vector<PlaneFit>(1));
+  const auto traits = face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005}, slots, std::vector<PlaneFit>(1), View{});
   EXPECT_EQ(traits.front(), FaceTraits{});
 }
 
@@ -110,23 +135,34 @@ TEST(FaceModel, TakesTheFacesOfARoomForFaces) {
   for (std::size_t r = 0; r < size.size(); ++r) {
     if (size[r] < 1000) continue;
     ++faces;
-    EXPECT_GT(face_probability(unjudged.traits[r]), 0.5) << "region of " << size[r] << " points";
+    EXPECT_GT(face_probability(unjudged.traits[r], unjudged.things.hold(r)), 0.5) << "region of " << size[r] << " points";
   }
   EXPECT_EQ(faces, 7);
 }
 
 TEST(FaceModel, DoubtsAThinLayerOfALargerPlane) {
   const std::vector<FaceTraits> near = floor_and_plane_above(0.008), far = floor_and_plane_above(0.3);
-  EXPECT_LT(face_probability(near[1]), 0.3 * face_probability(far[1]));
+  EXPECT_LT(face_probability(near[1], false), 0.3 * face_probability(far[1], false));
+}
+
+TEST(FaceModel, TakesForAThingWhatWouldBeALayer) {
+  // A book of 1.2 cm: closer to its desk than scatter would be worth anything, but found by what lies on planes.
+  const FaceTraits layer = floor_and_plane_above(0.012)[1];
+  FaceTraits thing = floor_and_plane_above(0.03, {.first = 1, .end = 2})[1];
+  EXPECT_GT(face_probability(thing, true), face_probability(layer, false));
+  thing[static_cast<std::size_t>(Trait::layer)] = 0.3;  // of what is 3 mm high nobody knows
+  EXPECT_LT(face_probability(thing, true), 0.5 * face_probability(floor_and_plane_above(0.03, {.first = 1, .end = 2})[1], true));
 }
 
 TEST(FaceModel, IsDefinedForAnyTraits) {
   FaceTraits traits{};
-  for (const double x : {-1e30, 0.0, 1e30}) {
+  for (const double x : {-1e30, 0.0, 1e30, std::numeric_limits<double>::quiet_NaN()}) {
     traits.fill(x);
-    const double p = face_probability(traits);
-    EXPECT_GE(p, 0);
-    EXPECT_LE(p, 1);
+    for (const bool thing : {false, true}) {
+      const double p = face_probability(traits, thing);
+      EXPECT_GE(p, 0);
+      EXPECT_LE(p, 1);
+    }
   }
 }
 

@@ -188,6 +188,31 @@ TEST(SeenFromFront, IsWhereMostPointsWereMeasuredFrom) {
   EXPECT_FALSE(seen_from_front(Cloud{}, {}, {}).has_value());
 }
 
+TEST(SlantOf, IsTheMeanCosineBetweenRaysAndNormal) {
+  Scene scene;
+  scene.cloud.origin = Vector(10, 0, 0);
+  scene.add(Vector(10, 0, 0), 0);
+  scene.add(Vector(10, 2, 0), 0);
+  scene.cloud.sensors = SensorPositions(Vector(10, 0, 2));
+  const std::vector<std::uint32_t> both{0, 1}, first{0};
+  EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitZ(), first), 1, 1e-9);
+  EXPECT_NEAR(*slant_of(scene.cloud, -Vector::UnitZ(), both), (1 + std::sqrt(0.5)) / 2, 1e-9) << "from either side";
+  EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitX(), both), 0, 1e-9);
+}
+
+TEST(SlantOf, IsNotKnownWhereThePositionOfSomePointIsNot) {
+  Scene scene;
+  scene.add(Vector(0, 0, 0), 0);
+  scene.add(Vector(0, 1, 0), 0);
+  const std::vector<std::uint32_t> both{0, 1}, first{0};
+  EXPECT_FALSE(slant_of(scene.cloud, Vector::UnitZ(), both).has_value());
+  const std::vector<std::uint32_t> of_point{0, 1};  // 1 = none
+  scene.cloud.sensors = SensorPositions({Vector(0, 0, 2)}, of_point);
+  EXPECT_FALSE(slant_of(scene.cloud, Vector::UnitZ(), both).has_value());
+  EXPECT_TRUE(slant_of(scene.cloud, Vector::UnitZ(), first).has_value());
+  EXPECT_FALSE(slant_of(scene.cloud, Vector::UnitZ(), {}).has_value());
+}
+
 /// Two rooms of 4 m × 3 m side by side, with a wall 20 cm thick between them; a sensor in each.
 Scene two_rooms() {
   Scene scene;

@@ -19,12 +19,12 @@ using namespace scenelore;
 constexpr std::size_t kKnots = 9;
 constexpr double kPenalty = 4, kSame = 0.5;
 constexpr const char* kNames[perception::kTraits] = {"points", "area", "length", "thickness", "roughness", "agreeing", "unevenness",
-                                                     "fill", "layer", "over", "contact", "left", "foreign"};
+                                                     "fill", "layer", "contact", "left", "foreign", "tilt", "slant", "excess"};
 
 std::vector<simulator::SimulationOptions> scans() {
   std::vector<simulator::SimulationOptions> out;
   const std::array<std::size_t, 4> sizes{0, 100'000, 500'000, 1'500'000};
-  for (std::uint64_t set = 0; set < 5; ++set) {
+  for (std::uint64_t set = 0; set < 10; ++set) {
     for (const double noise : {0.01, 0.02}) {
       auto rooms = simulator::paper_rooms(8501 + 2 * set + (noise > 0.01 ? 1 : 0), noise);
       for (std::size_t i = 0; i < rooms.size(); ++i) {
@@ -34,8 +34,8 @@ std::vector<simulator::SimulationOptions> scans() {
       }
     }
   }
-  for (std::uint64_t i = 0; i < 30; ++i) out.push_back({.seed = 8601 + i, .sensor = simulator::Sensor::depth_camera, .varied = true});
-  for (std::uint64_t i = 0; i < 10; ++i) out.push_back({.seed = 8701 + i, .varied = true});
+  for (std::uint64_t i = 0; i < 60; ++i) out.push_back({.seed = 8601 + i, .sensor = simulator::Sensor::depth_camera, .varied = true});
+  for (std::uint64_t i = 0; i < 20; ++i) out.push_back({.seed = 8701 + i, .varied = true});
   return out;
 }
 
@@ -55,12 +55,44 @@ double area_under_curve(const learning::AdditiveModel& model, const std::vector<
   return pairs / std::max(1.0, yes * below);
 }
 
-}  // namespace
-
-int main() {
+/// Regions of which all or none are things on planes.
+struct Examples {
   std::vector<std::vector<double>> traits;
   std::vector<bool> faces;
   std::vector<std::size_t> scan_of;
+};
+
+/// Every fourth scan left out tells what the model is worth on scans that it has not seen.
+double area_on_unseen(const Examples& all) {
+  Examples seen, unseen;
+  for (std::size_t i = 0; i < all.traits.size(); ++i) {
+    Examples& to = all.scan_of[i] % 4 == 3 ? unseen : seen;
+    to.traits.push_back(all.traits[i]);
+    to.faces.push_back(all.faces[i]);
+  }
+  return area_under_curve(learning::fit_additive(seen.traits, seen.faces, kKnots, kPenalty), unseen.traits, unseen.faces);
+}
+
+void print(const char* name, const Examples& examples) {
+  const learning::AdditiveModel model = learning::fit_additive(examples.traits, examples.faces, kKnots, kPenalty);
+  fmt::print("// {} regions, {} of them faces; area under the curve on scans left out: {:.4f}.\n"
+             "constexpr Model {}{{{:.4f}, {{{{\n",
+             examples.faces.size(), std::count(examples.faces.begin(), examples.faces.end(), true), area_on_unseen(examples), name, model.offset);
+  const auto list = [](const std::vector<double>& values) {
+    std::string text;
+    for (const double v : values) text += fmt::format("{}{:.4f}", text.empty() ? "" : ", ", v);
+    return text;
+  };
+  for (std::size_t t = 0; t < model.curves.size(); ++t) {
+    fmt::print("    Curve{{{{{}}},\n          {{{}}}}},  // {}\n", list(model.curves[t].at), list(model.curves[t].odds), kNames[t]);
+  }
+  fmt::print("}}}}}};\n");
+}
+
+}  // namespace
+
+int main() {
+  Examples surfaces, things;
   const auto all = scans();
   for (std::size_t s = 0; s < all.size(); ++s) {
     const simulator::SimulatedScan scan = simulator::simulate(all[s]);
@@ -73,32 +105,15 @@ int main() {
     }
     for (std::size_t r = 0; r < points.size(); ++r) {
       if (points[r] < 3) continue;
-      traits.emplace_back(unjudged.traits[r].begin(), unjudged.traits[r].end());
-      faces.push_back(overlap[r] >= kSame);
-      scan_of.push_back(s);
+      Examples& of = unjudged.things.hold(r) ? things : surfaces;
+      of.traits.emplace_back(unjudged.traits[r].begin(), unjudged.traits[r].end());
+      of.faces.push_back(overlap[r] >= kSame);
+      of.scan_of.push_back(s);
     }
   }
-  // Every fourth scan left out tells what the model is worth on scans that it has not seen.
-  std::vector<std::vector<double>> seen, unseen;
-  std::vector<bool> seen_faces, unseen_faces;
-  for (std::size_t i = 0; i < traits.size(); ++i) {
-    (scan_of[i] % 4 == 3 ? unseen : seen).push_back(traits[i]);
-    (scan_of[i] % 4 == 3 ? unseen_faces : seen_faces).push_back(faces[i]);
-  }
-  const double apart = area_under_curve(learning::fit_additive(seen, seen_faces, kKnots, kPenalty), unseen, unseen_faces);
-  const learning::AdditiveModel model = learning::fit_additive(traits, faces, kKnots, kPenalty);
-  fmt::print("// Learned by `make faces` (tools/bench/learn_faces.cpp) from {} regions of {} simulated scans, {} of them faces;\n"
-             "// area under the curve on scans left out: {:.4f}.\n"
-             "constexpr double kOffset = {:.4f};\nconstexpr std::array<Curve, kTraits> kCurves{{\n",
-             traits.size(), all.size(), std::count(faces.begin(), faces.end(), true), apart, model.offset);
-  for (std::size_t t = 0; t < model.curves.size(); ++t) {
-    const auto list = [](const std::vector<double>& values) {
-      std::string text;
-      for (const double v : values) text += fmt::format("{}{:.4f}", text.empty() ? "" : ", ", v);
-      return text;
-    };
-    fmt::print("    Curve{{{{{}}},\n          {{{}}}}},  // {}\n", list(model.curves[t].at), list(model.curves[t].odds), kNames[t]);
-  }
-  fmt::print("}};\n");
+  fmt::print("// Learned by `make faces` (tools/bench/learn_faces.cpp) from {} simulated scans.\n\n", all.size());
+  print("kSurfaces", surfaces);
+  fmt::print("\n");
+  print("kThings", things);
   return 0;
 }
