@@ -180,6 +180,7 @@ INSERT INTO class_constraint (name, class, quantifier, relation, other_class, co
   ('table_clear_above',     'table',       'no',       'under',      'table',       NULL, 1.5, 'no table stands over a table'),
   ('screen_over_table',     'flat_screen', 'some',     'above',      'table',       NULL, 2.5, 'a flat screen stands over some table'),
   ('screen_upright',        'flat_screen', 'every',    'orthogonal', 'table',       NULL, 0.5, 'a flat screen is about orthogonal to tables'),
+  ('screen_within_table',   'flat_screen', 'some',     'inside_footprint', 'table', NULL, 0.5, 'a flat screen does not reach beyond its table'),
   ('keyboard_on_table',     'keyboard',    'some',     'inside_footprint', 'table', NULL, 3.0, 'a keyboard lies on some table'),
   ('keyboard_level',        'keyboard',    'some',     'parallel',   'table',       NULL, 1.0, 'a keyboard is about parallel to some table'),
   ('keyboard_before_screen', 'keyboard',   'some',     'in_front_of', 'flat_screen', NULL, 3.0, 'a keyboard lies before a flat screen'),
