@@ -1,7 +1,8 @@
 // Pre-classification. Notation: π_C prior of class C, normalised over the classes; F_i weight of feature i; x_i its value.
 //
 //   product:  ln P(C|Φ) = ln π_C + Σ_i F_i ln p(x_i|C) − ln Z                                                      (3)
-//             where class C has kinds, ln of the mixture (5) of mixture.hpp in place of Σ_i F_i ln p(x_i|C)
+//             where class C has kinds, ln of the mixture (5) of mixture.hpp in place of Σ_i F_i ln p(x_i|C);
+//             where it has none, of that of the fallback class for the features that C has no row for
 //   mean:     P(C|x_i) = p(x_i|C) π_C / Σ_D p(x_i|D) π_D,   P(C|Φ) = Σ_i F_i P(C|x_i) / Σ_i F_i                    (4)
 //
 // (4) is equation 1 of Goldhoorn & Hartanto 2014. Sums run over the features that are known of the plane; without any,
@@ -28,6 +29,7 @@ struct FeatureModel {
   std::size_t column = 0;                 // in the feature table
   const std::vector<double>* errors = nullptr;
   std::vector<Likelihood> likelihoods{};  // one a class
+  std::vector<bool> silent{};             // classes that have no row, so that the fallback class speaks for them
 };
 
 bool is_mean(const Knowledge& knowledge) { return knowledge.setting("combination", "product") == "mean"; }
@@ -118,6 +120,7 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(tab
     for (auto& bins : of.bins) std::sort(bins.begin(), bins.end(), [](const ClassDensity* a, const ClassDensity* b) { return a->low < b->low; });
     for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
       const bool silent = of.gaussians[c] == nullptr && of.bins[c].empty() && fallback >= 0;
+      features_.back().silent.push_back(silent);
       const std::size_t like = silent ? static_cast<std::size_t>(fallback) : c;
       features_.back().likelihoods.emplace_back(feature, of.gaussians[like], of.bins[like], outlier_share, features_.back().errors != nullptr);
     }
@@ -128,11 +131,28 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(tab
 void Model::find_mixtures(const Knowledge& knowledge, double outlier_share) {
   std::vector<const Feature*> features;
   for (const FeatureModel& model : features_) features.push_back(model.feature);
-  for (const ObjectClass& object_class : knowledge.classes) {
-    const auto is_of = [&](const ClassKind& kind) { return kind.object_class == object_class.name; };
+  const auto kinds_of = [&](std::size_t object_class) {
+    const auto is_of = [&](const ClassKind& kind) { return kind.object_class == knowledge.classes[object_class].name; };
     const auto first = std::find_if(knowledge.kinds.begin(), knowledge.kinds.end(), is_of);
-    const auto last = std::find_if_not(first, knowledge.kinds.end(), is_of);
-    mixtures_.emplace_back(std::span(first, last), features, outlier_share);
+    return std::span(first, std::find_if_not(first, knowledge.kinds.end(), is_of));
+  };
+  // What a class says nothing about is as in the fallback class, whose kinds then speak for it: by its blur alone, a class without rows
+  // would fit whatever is of no kind better than the fallback class itself.
+  const auto borrowed_by = [&](std::size_t object_class) {
+    const std::span kinds = kinds_of(static_cast<std::size_t>(knowledge.fallback_index()));
+    std::vector<ClassKind> borrowed(kinds.begin(), kinds.end());
+    for (ClassKind& kind : borrowed) {
+      std::erase_if(kind.features, [&](const KindFeature& row) {
+        return std::any_of(features_.begin(), features_.end(), [&](const FeatureModel& f) { return f.feature->name == row.feature && !f.silent[object_class]; });
+      });
+    }
+    return borrowed;
+  };
+  for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
+    const std::span own = kinds_of(c);
+    const bool silent = std::any_of(features_.begin(), features_.end(), [&](const FeatureModel& f) { return f.silent[c]; });
+    if (own.empty() && silent) mixtures_.emplace_back(borrowed_by(c), features, outlier_share);
+    else mixtures_.emplace_back(own, features, outlier_share);
   }
 }
 

@@ -84,6 +84,32 @@ TEST(Kinds, HaveContributionsThatAddUpToTheEvidence) {
   EXPECT_EQ(contributions(k, table, 0, 0).back().log_likelihood, 0);  // a class without kinds: so that terms can be compared one by one
 }
 
+// A class of two kinds is the fallback here; the others say nothing, or nothing about size.
+Knowledge kinds_of_the_unknown() {
+  Knowledge k = two_kinds();
+  k.classes = {{0, "a", 0.3, "", "#000000", true}, {1, "mystery", 0.01, "", "#000000", false}, {2, "high", 0.2, "", "#000000", false}};
+  k.class_features.push_back({"high", "height", 2, 0.3});
+  return k;
+}
+
+TEST(Kinds, OfTheFallbackClassSpeakForAClassWithoutRows) {
+  const Knowledge k = kinds_of_the_unknown();
+  for (const auto& [height, size] : {std::pair(0.4, 2.0), std::pair(1.0, 1.0), std::pair(1.0, 0.5), std::pair(3.0, 5.0)}) {
+    const auto p = preclassify(k, {{"height", "size"}, {{height, size}}})[0];
+    EXPECT_NEAR(p[1] / p[0], 0.01 / 0.3, 1e-9) << height << " " << size << ": nothing but the prior tells it from the fallback class";
+  }
+}
+
+TEST(Kinds, OfTheFallbackClassSpeakForWhatAClassHasNoRowsFor) {
+  const Knowledge k = kinds_of_the_unknown();
+  for (const auto& [height, size] : {std::pair(2.1, 2.0), std::pair(1.5, 0.5)}) {
+    const auto p = preclassify(k, {{"height", "size"}, {{height, size}}})[0];
+    const double ln = std::log(size), own = std::pow(normal(ln, 0, 0.4), 0.5);
+    const double of_size = 0.5 * std::pow(normal(ln, 0.7, 0.2), 0.5) + (0.2 + 0.3) * own;
+    EXPECT_NEAR(p[2] / p[0], 0.2 * std::pow(normal(height, 2, 0.3), 0.8) * of_size / (0.3 * expected(height, size)), 1e-9) << height << " " << size;
+  }
+}
+
 TEST(Kinds, CountForNothingInEquationOneOfThePaper) {
   Knowledge k = two_kinds(), plain = two_kinds();
   plain.kinds.clear();
