@@ -28,9 +28,9 @@ bool trim(const Cloud& cloud, const PlaneFit& plane, double limit, std::vector<s
   return points.size() == before;
 }
 
-constexpr double kNarrowest = 0.11;  // metres; edges of tables and door frames are no planes of their own
+constexpr double kNarrowest = 0.08;  // metres; rims of boards are no planes of their own
 constexpr double kThinnest = 0.12;   // rmse over width
-constexpr double kFilled = 0.5;      // share of the rectangle of its spread that a plane must fill
+constexpr double kFilled = 0.3;      // share of the rectangle of its spread that a plane must fill; a desk in the shadow of its screens fills little
 
 double step_of(const PlaneFit& plane, bool bridged, const Limits& limits) {
   return plane.spread_area() < kLargePlane && !bridged ? limits.small_plane_step : limits.max_point_distance;

@@ -112,6 +112,29 @@ TEST(Segment, SeparatesABoardFromTheWallBehindIt) {
   EXPECT_GT(best_overlaps(scene, s.plane_of_point, 2)[1], 0.5);
 }
 
+TEST(Segment, KeepsADeskOfWhichShadowsLeaveTheRim) {
+  Scene scene;
+  Random random(7);
+  scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 3, 0), 1500, 0.005, 0, random);
+  const auto strip = [&](double x, double y, double length, double width) {
+    scene.add_rectangle(Vector(x, y, 0.74), Vector(length, 0, 0), Vector(0, width, 0), 3000, 0.004, 1, random);
+  };
+  strip(1, 1, 1.4, 0.18), strip(1, 1.72, 1.4, 0.18), strip(1, 1.18, 0.18, 0.54), strip(2.22, 1.18, 0.18, 0.54);
+  EXPECT_GT(best_overlaps(scene, segment(scene.cloud).plane_of_point, 2)[1], 0.8);
+}
+
+TEST(Segment, TakesStripsOf9CentimetresForPlanesAndOf5ForRims) {
+  const auto overlap = [](double width) {
+    Scene scene;
+    Random random(9);
+    scene.add_rectangle(Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 3, 0), 3000, 0.003, 0, random);
+    scene.add_rectangle(Vector(1, 1, 0.7), Vector(1, 0, 0), Vector(0, 0, width), 6000, 0.003, 1, random);
+    return best_overlaps(scene, segment(scene.cloud).plane_of_point, 2)[1];
+  };
+  EXPECT_GT(overlap(0.095), 0.8);
+  EXPECT_EQ(overlap(0.05), 0);
+}
+
 /// A wall of 4 m × 2.5 m with a board on it that hides what is behind, and the floor and ceiling before it.
 Scene wall_with_board(double offset, double noise, const Vector& size) {
   Scene scene;
