@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "seen_from.hpp"
+
 namespace scenelore::perception {
 namespace {
 
@@ -21,7 +23,6 @@ constexpr double kBefore = 0.8;         // voxels along the normal: what lies be
 // distances, which must not speak against an exact cloud.
 constexpr double kThin = 0.04, kSmooth = 0.9, kEven = 0.3;
 constexpr double kLeastDeviation = 0.0001;  // metres
-constexpr double kLeastSlant = 0.1;         // cosine; directions are not exact either
 
 /// Sums over the voxels of a region.
 struct Tally {
@@ -173,7 +174,8 @@ FaceTraits Measure::traits(std::size_t r) const {
   set(Trait::tilt, std::acos(std::min(1.0, std::abs(plane.normal.dot(view_.up)))) * 180 / std::numbers::pi);
   const double slant = r < view_.slant.size() ? view_.slant[r] : std::numeric_limits<double>::quiet_NaN();
   set(Trait::slant, slant);
-  set(Trait::excess, std::isnan(slant) ? slant : std::log10(std::max(std::sqrt(variance), kLeastDeviation) / std::max(view_.noise * std::max(slant, kLeastSlant), kLeastDeviation)));
+  const double across_view = std::max(noise_across(view_.noise, slant), kLeastDeviation);
+  set(Trait::excess, std::isnan(slant) ? slant : std::log10(std::max(std::sqrt(variance), kLeastDeviation) / across_view));
   return out;
 }
 

@@ -14,8 +14,8 @@ namespace scenelore::perception {
 void merge_regions(const Pyramid& pyramid, std::vector<double> noise, Slots& slots, std::vector<PlaneFit>& planes);
 
 /// Joins pieces of one wall, floor or ceiling across the shadows of what stands before it: any two planes in one line of
-/// which one spreads over `smallest` m² and has voxels (of this edge, metres) for as much: desks in an L spread over more than they cover. Whether their gap is too wide is left to the promises. Tables side by side stay
-/// apart.
+/// which one spreads over `smallest` m² and has voxels (of this edge, metres) for as much: desks in an L spread over more than they
+/// cover. Whether their gap is too wide is left to the promises. Tables side by side stay apart.
 void bridge_shadows(double noise, double smallest, double voxel, Slots& slots, std::vector<PlaneFit>& planes);
 
 /// How much worse one plane for two sets of points is for the set that suffers more, in that set's own deviations; 1 = not worse. A set's

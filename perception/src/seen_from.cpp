@@ -1,5 +1,6 @@
 #include "seen_from.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -35,5 +36,7 @@ std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal
   if (points.empty()) return std::nullopt;
   return sum / static_cast<double>(points.size());
 }
+
+double noise_across(double noise, double slant) { return noise * std::max(slant, 0.1); }
 
 }  // namespace scenelore::perception

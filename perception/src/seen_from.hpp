@@ -18,4 +18,8 @@ namespace scenelore::perception {
 /// where it was measured, or there are no points.
 [[nodiscard]] std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points);
 
+/// How far points scatter across a plane that is seen at this slant, metres, when ranges scatter by `noise`: noise runs along the ray. A tenth of it at
+/// the least, since directions are not exact either.
+[[nodiscard]] double noise_across(double noise, double slant);
+
 }  // namespace scenelore::perception

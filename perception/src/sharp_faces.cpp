@@ -14,7 +14,6 @@ namespace {
 constexpr double kSlant = 0.5;        // cosine of 60 degrees, between ray and normal
 constexpr std::size_t kFewest = 40;   // points
 constexpr double kTooThick = 2;       // deviation across, of what the noise explains
-constexpr double kLeastSlant = 0.1;   // cosine; directions are not exact either
 constexpr int kTriples = 200;
 constexpr double kWidestTriple = 0.1;  // of the plane's area, twice the triangle's, at least
 constexpr double kReach = 2.5;        // deviations
@@ -111,7 +110,7 @@ void keep_sharp_faces(const Cloud& cloud, double noise, Regions& regions) {
     if (points[r].size() < kFewest) continue;
     const PlaneFit plane = fit_plane(moments_of(cloud, points[r]));
     if (plane.spread_area() > kLargePlane) continue;
-    const double cosine = slant_of(cloud, plane.normal, points[r]).value_or(1), across = std::max(kFinest, noise * std::max(cosine, kLeastSlant));
+    const double cosine = slant_of(cloud, plane.normal, points[r]).value_or(1), across = std::max(kFinest, noise_across(noise, cosine));
     if (cosine > kSlant || plane.rmse() < kTooThick * across) continue;
     const std::vector<std::uint32_t> face = sharp_face(cloud, plane, across, points[r]);
     if (face.size() == points[r].size()) continue;

@@ -198,6 +198,9 @@ TEST(SlantOf, IsTheMeanCosineBetweenRaysAndNormal) {
   EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitZ(), first), 1, 1e-9);
   EXPECT_NEAR(*slant_of(scene.cloud, -Vector::UnitZ(), both), (1 + std::sqrt(0.5)) / 2, 1e-9) << "from either side";
   EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitX(), both), 0, 1e-9);
+  EXPECT_EQ(noise_across(0.01, 1), 0.01);
+  EXPECT_NEAR(noise_across(0.01, 0.5), 0.005, 1e-12);
+  EXPECT_NEAR(noise_across(0.01, 0), 0.001, 1e-12);
 }
 
 TEST(SlantOf, IsNotKnownWhereThePositionOfSomePointIsNot) {
