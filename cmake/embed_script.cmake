@@ -13,16 +13,15 @@ foreach(file IN LISTS FILES)
     string(APPEND literal "R\"sl_embed(${piece})sl_embed\"\n")
     math(EXPR at "${at} + 8000")
   endwhile()
-  if(literal STREQUAL "")
-    set(literal "\"\"")
-  endif()
-  string(APPEND entries "    {\"${relative}\", ${literal}},\n")
+  # Told its length: compilers count no more than 2^18 characters of a constant.
+  string(APPEND entries "    {\"${relative}\", ${literal}\"\"sv},\n")
 endforeach()
 file(WRITE ${OUT} "#include <scenelore/embedded_file.hpp>
 #include <span>
 namespace ${NAMESPACE} {
 std::span<const scenelore::EmbeddedFile> ${NAME}();
 std::span<const scenelore::EmbeddedFile> ${NAME}() {
+  using namespace std::string_view_literals;
   static constexpr scenelore::EmbeddedFile files[] = {
 ${entries}  };
   return files;
