@@ -318,7 +318,7 @@ void real_scans(Lab& lab, const fs::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
+  if (argc < 2 || argv[1][0] == '-') {
     fmt::print(stderr, "usage: experiments FOLDER [SETS [FIRST_SEED [REAL]]]\n");
     return 2;
   }

@@ -95,6 +95,10 @@ void report(const fs::path& path, const kb::Knowledge& knowledge, rules::RuleSet
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc < 2 || !std::all_of(argv + 1, argv + argc, [](const char* folder) { return fs::is_directory(folder); })) {
+    fmt::print(stderr, "usage: real_scans FOLDER…    folders of labelled .ply files\n");
+    return 2;
+  }
   rules::RuleSet rules = rules::RuleSet::load();
   const kb::Knowledge knowledge = experiment::knowledge_pack("office");
   std::vector<fs::path> scans;
