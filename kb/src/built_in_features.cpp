@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scenelore/kb/knowledge_base.hpp"
+#include "scenelore/perception/arrangement.hpp"
 
 namespace scenelore::kb {
 
@@ -57,15 +58,21 @@ FeatureTable built_in_features(const Scan& scan, const std::vector<StoredPlane>&
   FeatureTable table;
   table.names = {"area_m2", "length", "width", "rectangularity", "tilt_deg",      "height",    "x",
                  "y",       "z_min",  "z_max", "rmse",           "point_density", "facing_up", "seen_share",
-                 "spread_length", "spread_width", "behind", "edge_free", "edge_free_top", "edge_joined", "edge_unseen"};
+                 "spread_length", "spread_width", "behind", "edge_free", "edge_free_top", "edge_joined", "edge_unseen",
+                 "lift", "headroom", "standoff", "wall_offset", "corner_offset", "edge_concave", "edge_convex"};
   const Eigen::Vector3d centre = centre_of(scan, planes);
-  for (const StoredPlane& stored : planes) {
-    const perception::Plane& p = stored.plane;
+  std::vector<const perception::Plane*> all;
+  for (const StoredPlane& stored : planes) all.push_back(&stored.plane);
+  const std::vector<perception::Arrangement> arranged = perception::arrangements(all, scan.rotation);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const perception::Plane& p = planes[i].plane;
+    const perception::Arrangement& a = arranged[i];
     const Eigen::Vector3d at = scan.rotation * p.centroid - centre;
     table.values.push_back({p.area_m2, p.length, p.width, p.rectangularity, p.tilt_deg, p.height, at.x(), at.y(),
                             p.z_min, p.z_max, p.rmse, p.point_density, p.facing_up, p.seen_share,
                             known(p.spread_length), known(p.spread_width), share(p.behind), share(p.edge_free), share(p.edge_free_top),
-                            share(p.edge_joined), share(p.edge_unseen)});
+                            share(p.edge_joined), share(p.edge_unseen),
+                            a.lift, a.headroom, a.standoff, a.wall_offset, a.corner_offset, a.edge_concave, a.edge_convex});
   }
   table.errors["tilt_deg"].assign(planes.size(), stray_deg(planes));
   return table;

@@ -118,7 +118,7 @@ TEST_F(Truth, FeaturesAreStoredForTheWholeCatalogue) {
   table.values[0][table.names.size() - 2] = std::numeric_limits<double>::quiet_NaN();
   base_.store_features(1, {1, 2, 3, 4}, table);
   const FeatureTable back = base_.features({3, 1});
-  EXPECT_EQ(back.names.size(), 19U);
+  EXPECT_EQ(back.names.size(), 22U);  // of the catalogue those that are known of these planes
   const auto at = [&](const std::string& name) { return static_cast<std::size_t>(std::find(back.names.begin(), back.names.end(), name) - back.names.begin()); };
   EXPECT_NEAR(back.values[0][at("slenderness")], 1.4 / 0.8, 1e-12);
   EXPECT_TRUE(std::isnan(back.values[1][at("slenderness")]));
