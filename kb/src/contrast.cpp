@@ -5,7 +5,7 @@
 //   ∂L/∂ ln(s_k π_C) = Σ_n ([y_n = C_k] − P(C_k|Φ_n)) r_nk − …                                                      (2)
 //
 // and, of a mean or a deviation, the same sum weighed by F_i ∂ ln p(x_i|k): (1) is the maximum mutual information estimate of Bahl et
-// al. 1986 with a Gaussian prior about the present kinds, and is climbed by Adam (Kingma & Ba 2015) with all planes in each step.
+// al. 1986 with a Gaussian prior about the present kinds, and is climbed by Adam (Kingma & Ba 2015), each step with some of the planes.
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -49,6 +49,9 @@ struct Slope {
   Row mean, log_sigma;
 };
 
+/// Steps of a pass over the planes; each takes every 64th, so that it sees planes of all scans.
+constexpr std::size_t kSteps = 64;
+
 class Contrast {
  public:
   Contrast(Knowledge knowledge, const LabelledPlanes& planes, const ContrastOptions& options);
@@ -61,7 +64,7 @@ class Contrast {
   void take_examples(const LabelledPlanes& planes);
   void find_shares();
   void add_gradient(const Example& example, Parameters& gradient) const;
-  [[nodiscard]] Parameters gradient() const;
+  [[nodiscard]] Parameters gradient(std::size_t step) const;
   /// ln of what of each class its own rows judge.
   [[nodiscard]] Row log_own_shares(const Row& log_shares) const;
 
@@ -215,15 +218,16 @@ void Contrast::add_gradient(const Example& example, Parameters& gradient) const 
   }
 }
 
-/// Of (1), means in units of their deviations. Always in the same pieces, whatever the machine, so that sums come out the same.
-Parameters Contrast::gradient() const {
+/// Of a part of (1) that has every 64th plane, means in units of their deviations. Always in the same pieces, whatever the machine, so that
+/// sums come out the same.
+Parameters Contrast::gradient(std::size_t step) const {
   constexpr std::size_t kPieces = 2;
   std::vector<Parameters> parts(kPieces, Parameters::zero(now_.means.rows(), now_.means.cols()));
   {
     std::vector<std::jthread> workers;
     for (std::size_t piece = 0; piece < kPieces; ++piece) {
       workers.emplace_back([&, piece] {
-        for (std::size_t i = piece * examples_.size() / kPieces; i < (piece + 1) * examples_.size() / kPieces; ++i) add_gradient(examples_[i], parts[piece]);
+        for (std::size_t i = step + piece * kSteps; i < examples_.size(); i += kPieces * kSteps) add_gradient(examples_[i], parts[piece]);
       });
     }
   }
@@ -231,9 +235,10 @@ Parameters Contrast::gradient() const {
   for (std::size_t piece = 1; piece < kPieces; ++piece) {
     sum.means += parts[piece].means, sum.log_sigmas += parts[piece].log_sigmas, sum.log_shares += parts[piece].log_shares;
   }
-  sum.means -= options_.strength * (now_.means - present_.means) / present_.log_sigmas.exp();
-  sum.log_sigmas -= options_.strength * (now_.log_sigmas - present_.log_sigmas);
-  sum.log_shares -= options_.strength * (now_.log_shares - present_.log_shares);
+  const double strength = options_.strength / kSteps;
+  sum.means -= strength * (now_.means - present_.means) / present_.log_sigmas.exp();
+  sum.log_sigmas -= strength * (now_.log_sigmas - present_.log_sigmas);
+  sum.log_shares -= strength * (now_.log_shares - present_.log_shares);
   return sum;
 }
 
@@ -262,12 +267,14 @@ void Contrast::climb() {
   constexpr double kRate = 0.05;
   Climber<Table> means(now_.means, kRate), log_sigmas(now_.means, kRate);
   Climber<Row> log_shares(now_.log_shares, kRate);
-  for (int i = 0; i < options_.steps; ++i) {
+  const int steps = options_.passes * static_cast<int>(kSteps);
+  for (int i = 0; i < steps; ++i) {
     find_shares();
-    const Parameters slope = gradient();
-    now_.means += means.step(slope.means) * present_.log_sigmas.exp();
-    now_.log_sigmas += log_sigmas.step(slope.log_sigmas);
-    now_.log_shares += log_shares.step(slope.log_shares);
+    const Parameters slope = gradient(static_cast<std::size_t>(i) % kSteps);
+    const double length = 1 - static_cast<double>(i) / steps;
+    now_.means += length * means.step(slope.means) * present_.log_sigmas.exp();
+    now_.log_sigmas += length * log_sigmas.step(slope.log_sigmas);
+    now_.log_shares += length * log_shares.step(slope.log_shares);
     for (std::size_t f = 0; f < features_.size(); ++f) {
       auto row = now_.log_sigmas.row(static_cast<Eigen::Index>(f));
       row = row.max(least_log_sigma_[f]);

@@ -307,7 +307,7 @@ TEST(Contrast, ExpectsEachClassAsOftenAsItIs) {
   for (std::size_t i = 0; i < planes.classes.size(); i += 6) planes.classes[i] = "shelf";  // half of the whole tables
   LearnedRows rows = learn(vague(), planes);
   for (LearnedClass& learned : rows.classes) learned.prior = 1.0 / 3;
-  contrast(vague(), planes, rows, {.steps = 400, .strength = 1e-3});
+  contrast(vague(), planes, rows, {.passes = 40, .strength = 1e-3});
   const auto p = preclassify(with_rows(vague(), rows), planes.features);
   for (std::size_t c = 0; c < 3; ++c) {
     double expected = 0;

@@ -59,7 +59,7 @@ struct LearnedRows {
 [[nodiscard]] LearnedRows learn(const Knowledge& knowledge, const LabelledPlanes& planes, const LearnOptions& options = {});
 
 struct ContrastOptions {
-  int steps = 60;
+  int passes = 20;      ///< over all planes
   double strength = 4;  ///< how firmly kinds hold on to what they are, in pretended planes
 };
 
