@@ -2,7 +2,8 @@
 //
 //   product:  ln P(C|Φ) = ln π_C + Σ_i F_i ln p(x_i|C) − ln Z                                                      (3)
 //             where class C has kinds, ln of the mixture (5) of mixture.hpp in place of Σ_i F_i ln p(x_i|C);
-//             where it has none, of that of the fallback class for the features that C has no row for
+//             where it has none, of that of the fallback class for the features that C has no row for;
+//             what C describes among these kinds it takes over: see newcomers.hpp
 //   mean:     P(C|x_i) = p(x_i|C) π_C / Σ_D p(x_i|D) π_D,   P(C|Φ) = Σ_i F_i P(C|x_i) / Σ_i F_i                    (4)
 //
 // (4) is equation 1 of Goldhoorn & Hartanto 2014. Sums run over the features that are known of the plane; without any,
@@ -14,11 +15,13 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "likelihood.hpp"
 #include "mixture.hpp"
+#include "newcomers.hpp"
 
 namespace scenelore::kb {
 
@@ -52,6 +55,7 @@ class Model {
 
  private:
   void find_mixtures(const Knowledge& knowledge, double outlier_share);
+  [[nodiscard]] Newcomer newcomer(std::size_t object_class, std::size_t fallback) const;
 
   const FeatureTable& table_;
   std::vector<double> log_priors_;
@@ -128,6 +132,16 @@ Model::Model(const Knowledge& knowledge, const FeatureTable& table) : table_(tab
   find_mixtures(knowledge, outlier_share);
 }
 
+Newcomer Model::newcomer(std::size_t object_class, std::size_t fallback) const {
+  Newcomer out{.prior = std::exp(log_priors_[object_class] - log_priors_[fallback])};
+  for (const FeatureModel& model : features_) {
+    const Likelihood& likelihood = model.likelihoods[object_class];
+    if (model.silent[object_class] || model.feature->scale == Scale::circular || std::isnan(likelihood.sigma())) continue;
+    out.rows[model.feature->name] = {likelihood.mean(), likelihood.sigma(), model.feature->weight};
+  }
+  return out;
+}
+
 void Model::find_mixtures(const Knowledge& knowledge, double outlier_share) {
   std::vector<const Feature*> features;
   for (const FeatureModel& model : features_) features.push_back(model.feature);
@@ -136,11 +150,19 @@ void Model::find_mixtures(const Knowledge& knowledge, double outlier_share) {
     const auto first = std::find_if(knowledge.kinds.begin(), knowledge.kinds.end(), is_of);
     return std::span(first, std::find_if_not(first, knowledge.kinds.end(), is_of));
   };
-  // What a class says nothing about is as in the fallback class, whose kinds then speak for it: by its blur alone, a class without rows
-  // would fit whatever is of no kind better than the fallback class itself.
+  const int fallback = knowledge.fallback_index();
+  const std::span<const ClassKind> of_fallback = fallback < 0 ? std::span<const ClassKind>() : kinds_of(static_cast<std::size_t>(fallback));
+  std::vector<std::size_t> without;  // kinds, and so newcomers
+  std::vector<Newcomer> list;
+  for (std::size_t c = 0; !of_fallback.empty() && c < knowledge.classes.size(); ++c) {
+    if (static_cast<int>(c) == fallback || !kinds_of(c).empty()) continue;
+    without.push_back(c);
+    list.push_back(newcomer(c, static_cast<std::size_t>(fallback)));
+  }
+  const Newcomers newcomers(of_fallback, list);
+  // By its blur alone, a class without rows would fit whatever is of no kind better than the fallback class itself.
   const auto borrowed_by = [&](std::size_t object_class) {
-    const std::span kinds = kinds_of(static_cast<std::size_t>(knowledge.fallback_index()));
-    std::vector<ClassKind> borrowed(kinds.begin(), kinds.end());
+    std::vector<ClassKind> borrowed(of_fallback.begin(), of_fallback.end());
     for (ClassKind& kind : borrowed) {
       std::erase_if(kind.features, [&](const KindFeature& row) {
         return std::any_of(features_.begin(), features_.end(), [&](const FeatureModel& f) { return f.feature->name == row.feature && !f.silent[object_class]; });
@@ -149,10 +171,10 @@ void Model::find_mixtures(const Knowledge& knowledge, double outlier_share) {
     return borrowed;
   };
   for (std::size_t c = 0; c < knowledge.classes.size(); ++c) {
-    const std::span own = kinds_of(c);
-    const bool silent = std::any_of(features_.begin(), features_.end(), [&](const FeatureModel& f) { return f.silent[c]; });
-    if (own.empty() && silent) mixtures_.emplace_back(borrowed_by(c), features, outlier_share);
-    else mixtures_.emplace_back(own, features, outlier_share);
+    const auto number = static_cast<std::size_t>(std::find(without.begin(), without.end(), c) - without.begin());
+    if (static_cast<int>(c) == fallback) mixtures_.emplace_back(of_fallback, features, outlier_share, newcomers.kept());
+    else if (number < without.size()) mixtures_.emplace_back(borrowed_by(c), features, outlier_share, newcomers.factors(number));
+    else mixtures_.emplace_back(kinds_of(c), features, outlier_share);
   }
 }
 

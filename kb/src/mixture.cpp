@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace scenelore::kb {
 
@@ -19,7 +20,7 @@ double sigma_of(double half_precision) { return std::sqrt(0.5 / half_precision);
 
 }  // namespace
 
-Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share) {
+Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share, std::span<const double> factors) {
   const auto rows = static_cast<Eigen::Index>(features.size()), columns = static_cast<Eigen::Index>(kinds.size());
   if (columns == 0) return;
   means_ = half_precisions_ = inliers_ = outliers_ = Table::Zero(rows, columns);
@@ -42,12 +43,13 @@ Mixture::Mixture(std::span<const ClassKind> kinds, std::span<const Feature* cons
       has_row_(f, k) = 1;
     }
   }
-  all_rows_ = has_row_.all();
+  bounded_ = outlier_share > 0;
+  for (Eigen::Index f = 0; f < rows; ++f) all_rows_.push_back(has_row_.row(f).all());
   blurs_.resize(features.size());
   log_inliers_ = inliers_.log();
   for (Eigen::Index k = 0; k < columns; ++k) {
     numbers_.push_back(kinds[static_cast<std::size_t>(k)].number);
-    log_shares_[k] = std::log(kinds[static_cast<std::size_t>(k)].share);
+    log_shares_[k] = std::log(kinds[static_cast<std::size_t>(k)].share * (factors.empty() ? 1 : factors[static_cast<std::size_t>(k)]));
     shares += kinds[static_cast<std::size_t>(k)].share;
   }
   log_shares_[columns] = shares < 1 ? std::log(1 - shares) : -std::numeric_limits<double>::infinity();
@@ -71,37 +73,44 @@ const Mixture::Blur& Mixture::blur_of(Eigen::Index f, double error) const {
   return blur;
 }
 
-double Mixture::blurred(Eigen::Index f, Eigen::Index k, const MixtureInput& input) const {
-  const Blur& blur = blur_of(f, input.error);
-  const double turn = turns_[input.feature], uniform = uniforms_[input.feature];
-  const double distance = turn > 0 ? std::remainder(input.scaled - means_(f, k), turn) : input.scaled - means_(f, k);
-  const double near = distance * distance / blur.near[k];
-  if (uniform <= 0) return blur.log_peaks[k] - near;
-  return std::log(blur.near_peaks[k] * std::exp(-near) + blur.far_peaks[k] * std::exp(-(distance * distance / blur.far[k])) + uniform);
+Mixture::Row Mixture::distances(const MixtureInput& input) const {
+  const auto f = static_cast<Eigen::Index>(input.feature);
+  const double turn = turns_[input.feature];
+  Row out = input.scaled - means_.row(f);
+  if (turn > 0) out = out.unaryExpr([turn](double distance) { return std::remainder(distance, turn); });
+  return out;
+}
+
+// With odd values, so that no density is 0.
+Mixture::Row Mixture::densities(const MixtureInput& input) const {
+  const auto f = static_cast<Eigen::Index>(input.feature);
+  const double uniform = uniforms_[input.feature];
+  const Row squares = distances(input).square();
+  if (input.error > 0) {
+    const Blur& blur = blur_of(f, input.error);
+    return blur.near_peaks * (-squares / blur.near).exp() + blur.far_peaks * (-squares / blur.far).exp() + uniform;
+  }
+  static_assert(kTail == 4);  // so the two exponents are as 16 to one, and one exponential gives both
+  const Row wide = (squares * half_precisions_.row(f) * (-1.0 / 16)).exp();
+  return inliers_.row(f) * wide.square().square().square().square() + outliers_.row(f) * wide + uniform;
 }
 
 Mixture::Table Mixture::log_terms(std::span<const MixtureInput> inputs) const {
-  static_assert(kTail == 4);  // so the two exponents are as 16 to one, and one exponential gives both
   const Eigen::Index columns = means_.cols();
   Table out(static_cast<Eigen::Index>(inputs.size()), columns + 1);
-  Row exponents, wide;
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     const MixtureInput& input = inputs[static_cast<std::size_t>(i)];
     const auto f = static_cast<Eigen::Index>(input.feature);
     out(i, columns) = input.own;
-    const double uniform = uniforms_[input.feature];
-    if (input.error > 0 || turns_[input.feature] > 0) {
-      for (Eigen::Index k = 0; k < columns; ++k) out(i, k) = has_row_(f, k) != 0 ? blurred(f, k, input) : input.own;
-      continue;
-    }
-    exponents = (input.scaled - means_.row(f)).square() * half_precisions_.row(f);
-    if (uniform <= 0) {
-      out.row(i).head(columns) = log_inliers_.row(f) - exponents;
+    if (uniforms_[input.feature] > 0) {
+      out.row(i).head(columns) = densities(input).log();
+    } else if (input.error > 0) {
+      const Blur& blur = blur_of(f, input.error);
+      out.row(i).head(columns) = blur.log_peaks - distances(input).square() / blur.near;
     } else {
-      wide = (exponents * (-1.0 / 16)).exp();
-      out.row(i).head(columns) = (inliers_.row(f) * wide.square().square().square().square() + outliers_.row(f) * wide + uniform).log();
+      out.row(i).head(columns) = log_inliers_.row(f) - distances(input).square() * half_precisions_.row(f);
     }
-    for (Eigen::Index k = 0; !all_rows_ && k < columns; ++k) {
+    for (Eigen::Index k = 0; !all_rows_[input.feature] && k < columns; ++k) {
       if (has_row_(f, k) == 0) out(i, k) = input.own;
     }
   }
@@ -114,7 +123,34 @@ Mixture::Row Mixture::log_summands(std::span<const MixtureInput> inputs, const T
   return logs;
 }
 
-double Mixture::log_density(std::span<const MixtureInput> inputs) const { return log_sum(log_summands(inputs, log_terms(inputs))); }
+// Densities of one weight are multiplied before the logarithm, Σ_i F ln p_i = F ln Π_i p_i, which saves most logarithms. Odd values keep each
+// factor above ε u / 2, so that a product of so many stays far from underflow.
+double Mixture::log_density(std::span<const MixtureInput> inputs) const {
+  constexpr std::size_t kFactors = 12;
+  if (!bounded_) return log_sum(log_summands(inputs, log_terms(inputs)));
+  const Eigen::Index columns = means_.cols();
+  std::vector<std::size_t> order(inputs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return inputs[a].weight < inputs[b].weight; });
+  Row logs = log_shares_, product(columns);
+  for (std::size_t i = 0; i < order.size();) {
+    const double weight = inputs[order[i]].weight;
+    product.setOnes();
+    for (std::size_t factors = 0; factors < kFactors && i < order.size() && inputs[order[i]].weight == weight; ++factors, ++i) {
+      const MixtureInput& input = inputs[order[i]];
+      const auto f = static_cast<Eigen::Index>(input.feature);
+      if (all_rows_[input.feature]) {
+        product *= densities(input);
+      } else {
+        product *= (has_row_.row(f) != 0).select(densities(input), 1.0);
+        logs.head(columns) += (has_row_.row(f) != 0).select(Row::Zero(columns), weight * input.own);
+      }
+      logs[columns] += weight * input.own;
+    }
+    logs.head(columns) += weight * product.log();
+  }
+  return log_sum(logs);
+}
 
 Mixture::Division Mixture::divide(std::span<const MixtureInput> inputs) const {
   const Table terms = log_terms(inputs);

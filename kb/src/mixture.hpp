@@ -29,8 +29,9 @@ struct MixtureInput {
 class Mixture {
  public:
   Mixture() = default;
-  /// `kinds`: of one class, in the order of their numbers. `features`: what MixtureInput::feature counts through.
-  Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share);
+  /// `kinds`: of one class, in the order of their numbers. `features`: what MixtureInput::feature counts through. `factors`: of the
+  /// kinds' shares, ≥ 0; empty = 1 each. The share of the class's own rows is not touched by them.
+  Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share, std::span<const double> factors = {});
 
   [[nodiscard]] bool empty() const { return numbers_.empty(); }
   /// (5) in logarithms.
@@ -54,7 +55,10 @@ class Mixture {
   [[nodiscard]] Table log_terms(std::span<const MixtureInput> inputs) const;
   /// Logarithms of the summands of (5), in the order of the columns.
   [[nodiscard]] Row log_summands(std::span<const MixtureInput> inputs, const Table& terms) const;
-  [[nodiscard]] double blurred(Eigen::Index feature, Eigen::Index kind, const MixtureInput& input) const;
+  /// Of the value from each kind's mean; on circles from its nearest image.
+  [[nodiscard]] Row distances(const MixtureInput& input) const;
+  /// p(x_i|k); nonsense where a kind has no row.
+  [[nodiscard]] Row densities(const MixtureInput& input) const;
 
   /// What a feature's Gaussians look like through errors of one size, by kind.
   struct Blur {
@@ -69,9 +73,10 @@ class Mixture {
   std::vector<int> numbers_;
   Row log_shares_;                                                    // then that of the class's own rows
   Table means_, half_precisions_, inliers_, outliers_, log_inliers_;  // 1 / 2σ², factors of the two exponentials
-  Eigen::ArrayXXi has_row_;
+  Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> has_row_;
   std::vector<double> uniforms_, turns_;                              // a feature; ε u / 2; 0 where the scale is no circle
-  bool all_rows_ = true;
+  std::vector<bool> all_rows_;                                        // a feature: whether every kind has one for it
+  bool bounded_ = false;                                              // odd values keep every density above 0
   mutable std::vector<Blur> blurs_;                                   // a feature
 };
 

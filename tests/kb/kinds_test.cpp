@@ -84,6 +84,20 @@ TEST(Kinds, HaveContributionsThatAddUpToTheEvidence) {
   EXPECT_EQ(contributions(k, table, 0, 0).back().log_likelihood, 0);  // a class without kinds: so that terms can be compared one by one
 }
 
+TEST(Kinds, HaveContributionsThatAddUpWithOddValuesErrorsAndFeaturesOfOneWeight) {
+  Knowledge k = two_kinds();
+  k.settings["outlier_share"] = "0.1";
+  k.features.push_back({"width", "m", Scale::linear, 0, 4, 0.8, ""});
+  k.kinds[0].features.push_back({"width", 1, 0.2});
+  k.class_features.push_back({"a", "width", 1, 0.5});
+  const FeatureTable table{{"size", "height", "width"}, {{1.9, 0.5, 1.3}}, {{"height", {0.1}}}};
+  double logs[2] = {0, 0};
+  for (const std::size_t c : {0U, 1U}) {
+    for (const Contribution& term : contributions(k, table, 0, c)) logs[c] += term.weight * term.log_likelihood;
+  }
+  EXPECT_NEAR(preclassify(k, table)[0][1], 1 / (1 + std::exp(logs[0] - logs[1])), 1e-12);
+}
+
 // A class of two kinds is the fallback here; the others say nothing, or nothing about size.
 Knowledge kinds_of_the_unknown() {
   Knowledge k = two_kinds();
@@ -100,14 +114,34 @@ TEST(Kinds, OfTheFallbackClassSpeakForAClassWithoutRows) {
   }
 }
 
-TEST(Kinds, OfTheFallbackClassSpeakForWhatAClassHasNoRowsFor) {
+// What "high" describes of the two kinds: (7) of newcomers.hpp.
+const double kOfLow = std::pow(std::exp(-1.6 * 1.6 / (2 * (0.09 + 0.01))), 0.8), kOfHigh = std::pow(std::exp(-0.4 * 0.4 / (2 * (0.09 + 0.04))), 0.8);
+
+TEST(Kinds, OfTheFallbackClassSpeakForWhatAClassHasNoRowsForAsFarAsItDescribesThem) {
   const Knowledge k = kinds_of_the_unknown();
+  const double taken = std::min(1.0, 0.2 / 0.3 / (0.5 * kOfLow + 0.3 * kOfHigh)), weighed = 0.5 * (kOfLow + 0.01) + 0.3 * (kOfHigh + 0.01);
   for (const auto& [height, size] : {std::pair(2.1, 2.0), std::pair(1.5, 0.5)}) {
     const auto p = preclassify(k, {{"height", "size"}, {{height, size}}})[0];
-    const double ln = std::log(size), own = std::pow(normal(ln, 0, 0.4), 0.5);
-    const double of_size = 0.5 * std::pow(normal(ln, 0.7, 0.2), 0.5) + (0.2 + 0.3) * own;
-    EXPECT_NEAR(p[2] / p[0], 0.2 * std::pow(normal(height, 2, 0.3), 0.8) * of_size / (0.3 * expected(height, size)), 1e-9) << height << " " << size;
+    const double ln = std::log(size), own = std::pow(normal(ln, 0, 0.4), 0.5), small = std::pow(normal(ln, 0.7, 0.2), 0.5);
+    const double of_size = 0.8 / weighed * (0.5 * (kOfLow + 0.01) * small + 0.3 * (kOfHigh + 0.01) * own) + 0.2 * own;
+    const double unknown = 0.2 * std::pow(normal(height, 1, 0.6), 0.8) * own + 0.5 * (1 - taken * kOfLow) * std::pow(normal(height, 0.4, 0.1), 0.8) * small +
+                           0.3 * (1 - taken * kOfHigh) * std::pow(normal(height, 1.6, 0.2), 0.8) * own;
+    EXPECT_NEAR(p[2] / p[0], 0.2 * std::pow(normal(height, 2, 0.3), 0.8) * of_size / (0.3 * unknown), 1e-9) << height << " " << size;
   }
+}
+
+TEST(Kinds, AreTakenOverByWhatDescribesThemNoFurtherThanItsPriorGoes) {
+  Knowledge k = kinds_of_the_unknown();
+  k.class_features.back() = {"high", "height", 1.6, 0.2};  // exactly what the second kind is
+  const FeatureTable table{{"height"}, {{1.6}}};
+  const auto usual = [&](double prior) {
+    k.classes[2].prior = prior;
+    return std::exp(contributions(k, table, 0, 0).back().log_likelihood);
+  };
+  EXPECT_GT(usual(1e-9), 0.2) << "hardly anything is taken over";
+  EXPECT_LT(usual(0.05), usual(0.01));
+  k.classes[2].prior = 0.2;
+  EXPECT_GT(preclassify(k, table)[0][2], 0.9) << "what is left of the fallback class is its own rows";
 }
 
 TEST(Kinds, CountForNothingInEquationOneOfThePaper) {

@@ -57,8 +57,10 @@ TEST_F(Packs, AreAddedOnceAndWholeOrNotAtAll) {
   EXPECT_EQ(scenelore({"kb", "add", "@mine.sql", "@lab.gpkg"}).code, 0);
 }
 
-TEST_F(Packs, AreNotNeededForANewClassRowsAloneDo) {
-  ASSERT_EQ(scenelore({"simulate", "@room.ply", "--room", "home", "--seed", "6", "--points", "150000"}).code, 0);
+class NewClass : public Packs, public testing::WithParamInterface<const char*> {};
+
+TEST_P(NewClass, NeedsNothingButRows) {
+  ASSERT_EQ(scenelore({"simulate", "@room.ply", "--room", "home", "--seed", GetParam(), "--points", "150000"}).code, 0);
   ASSERT_EQ(scenelore({"run", "@room.ply"}).code, 0);
   EXPECT_EQ(ask("room.gpkg", "SELECT count(*) FROM label WHERE class IN ('sofa', 'radiator')"), "0\n");
   edit("room.gpkg",
@@ -90,6 +92,8 @@ TEST_F(Packs, AreNotNeededForANewClassRowsAloneDo) {
     EXPECT_EQ(objects[name]["false_positive"], 0) << name;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Rooms, NewClass, testing::Values("5", "6", "9"));
 
 }  // namespace
 }  // namespace scenelore::test
