@@ -5,9 +5,8 @@
 -- where learning starts; office_learned.sql replaces them, as it does the priors and the weights of the constraint rows below.
 INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('aspect', '1', 'log', 1, 100, 0.39, 'length over width of the smallest rectangle (rules/features/aspect.lua)');
-UPDATE feature SET weight = 0.20 WHERE name = 'area_m2';
+UPDATE feature SET weight = 0 WHERE name IN ('area_m2', 'length', 'edge_joined');  -- others say all that they do
 UPDATE feature SET weight = 0.56 WHERE name = 'height';
-UPDATE feature SET weight = 0.03 WHERE name = 'length';
 UPDATE feature SET weight = 0.62 WHERE name = 'rectangularity';
 UPDATE feature SET weight = 0.36 WHERE name = 'spread_length';
 UPDATE feature SET weight = 0.31 WHERE name = 'spread_width';

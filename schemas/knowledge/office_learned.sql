@@ -3,24 +3,28 @@
 -- Priors and weights: 96 paper-like rooms, seeds from 41; 60 at 2 cm, seeds from 31; 33 varied rooms, seeds from 401; 50 depth-camera frames, seeds from 201.
 
 -- unknown: 7095 examples
-UPDATE object_class SET prior = 0.3146 WHERE name = 'unknown';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'area_m2', -1.871, 1.268)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.2394 WHERE name = 'unknown';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'aspect', 0.715, 0.5908)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'behind', 0.4735, 0.2918)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'corner_offset', 0.8247, 1.283)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_concave', 0.3193, 0.326)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_convex', 0.1007, 0.1912)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_free', 0.4455, 0.3163)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_free_top', 0.565, 0.413)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_joined', 0.31, 0.3288)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'edge_unseen', 0.05033, 0.1097)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'headroom', 0.8219, 0.854)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'height', 1.041, 0.7339)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'length', -0.4032, 0.7278)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'lift', 0.194, 0.4152)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'rectangularity', 0.7256, 0.1459)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -28,7 +32,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'spre
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'spread_width', -1.333, 0.6813)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'standoff', 0.4535, 0.3995)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'tilt_deg', 62.9, 39.63)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'wall_offset', 0.7842, 2.008)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'width', -1.121, 0.6643)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -36,27 +44,6 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'z_ma
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('unknown', 'z_min', 0.7578, 0.7916)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-DELETE FROM class_density WHERE class = 'unknown' AND feature = 'area_m2';
-INSERT INTO class_density (class, feature, low, high, density) VALUES
-  ('unknown', 'area_m2', 0.002, 0.0144372, 0.004208),
-  ('unknown', 'area_m2', 0.0144372, 0.0336324, 0.07325),
-  ('unknown', 'area_m2', 0.0336324, 0.0424801, 0.176),
-  ('unknown', 'area_m2', 0.0424801, 0.0618017, 0.294),
-  ('unknown', 'area_m2', 0.0618017, 0.078349, 0.3925),
-  ('unknown', 'area_m2', 0.078349, 0.0824651, 0.3676),
-  ('unknown', 'area_m2', 0.0824651, 0.111491, 0.3649),
-  ('unknown', 'area_m2', 0.111491, 0.160067, 0.3091),
-  ('unknown', 'area_m2', 0.160067, 0.182519, 0.3323),
-  ('unknown', 'area_m2', 0.182519, 0.227965, 0.3075),
-  ('unknown', 'area_m2', 0.227965, 0.309704, 0.36),
-  ('unknown', 'area_m2', 0.309704, 0.425191, 0.2482),
-  ('unknown', 'area_m2', 0.425191, 0.523108, 0.1564),
-  ('unknown', 'area_m2', 0.523108, 0.99051, 0.1005),
-  ('unknown', 'area_m2', 0.99051, 2.30746, 0.01379),
-  ('unknown', 'area_m2', 2.30746, 5.37538, 0.008458),
-  ('unknown', 'area_m2', 5.37538, 12.5223, 0.009801),
-  ('unknown', 'area_m2', 12.5223, 29.1716, 0.01267),
-  ('unknown', 'area_m2', 29.1716, 100, 0.007563);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'aspect';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'aspect', 1, 1.10937, 1.071),
@@ -96,6 +83,56 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'behind', 0.772304, 0.795632, 2.089),
   ('unknown', 'behind', 0.795632, 0.868842, 1.427),
   ('unknown', 'behind', 0.868842, 1, 0.05018);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'corner_offset';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'corner_offset', -2, -1.27192, 0.03264),
+  ('unknown', 'corner_offset', -1.27192, -0.543831, 0.01331),
+  ('unknown', 'corner_offset', -0.543831, -0.0887528, 0.1638),
+  ('unknown', 'corner_offset', -0.0887528, 0.174128, 0.4328),
+  ('unknown', 'corner_offset', 0.174128, 0.184253, 0.7083),
+  ('unknown', 'corner_offset', 0.184253, 0.354988, 0.6151),
+  ('unknown', 'corner_offset', 0.354988, 0.560599, 0.5391),
+  ('unknown', 'corner_offset', 0.560599, 0.848794, 0.3857),
+  ('unknown', 'corner_offset', 0.848794, 0.912338, 0.4161),
+  ('unknown', 'corner_offset', 0.912338, 1.13318, 0.3832),
+  ('unknown', 'corner_offset', 1.13318, 1.52917, 0.2792),
+  ('unknown', 'corner_offset', 1.52917, 1.64042, 0.2279),
+  ('unknown', 'corner_offset', 1.64042, 2.08682, 0.1917),
+  ('unknown', 'corner_offset', 2.08682, 2.36851, 0.1118),
+  ('unknown', 'corner_offset', 2.36851, 3.09659, 0.05448),
+  ('unknown', 'corner_offset', 3.09659, 3.82468, 0.02647),
+  ('unknown', 'corner_offset', 3.82468, 4.55276, 0.01613),
+  ('unknown', 'corner_offset', 4.55276, 6, 0.006445);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'edge_concave';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'edge_concave', 0, 0.111111, 3.732),
+  ('unknown', 'edge_concave', 0.111111, 0.1875, 0.4298),
+  ('unknown', 'edge_concave', 0.1875, 0.222222, 0.6744),
+  ('unknown', 'edge_concave', 0.222222, 0.333333, 0.5846),
+  ('unknown', 'edge_concave', 0.333333, 0.34375, 1.552),
+  ('unknown', 'edge_concave', 0.34375, 0.444444, 1.08),
+  ('unknown', 'edge_concave', 0.444444, 0.46875, 0.6317),
+  ('unknown', 'edge_concave', 0.46875, 0.555556, 0.7705),
+  ('unknown', 'edge_concave', 0.555556, 0.59375, 0.8709),
+  ('unknown', 'edge_concave', 0.59375, 0.666667, 0.7919),
+  ('unknown', 'edge_concave', 0.666667, 0.777778, 0.4867),
+  ('unknown', 'edge_concave', 0.777778, 0.78125, 0.2123),
+  ('unknown', 'edge_concave', 0.78125, 0.888889, 0.2224),
+  ('unknown', 'edge_concave', 0.888889, 1, 0.7851);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'edge_convex';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'edge_convex', 0, 0.0873611, 8.505),
+  ('unknown', 'edge_convex', 0.0873611, 0.174722, 0.2952),
+  ('unknown', 'edge_convex', 0.174722, 0.1875, 0.5819),
+  ('unknown', 'edge_convex', 0.1875, 0.262083, 0.5292),
+  ('unknown', 'edge_convex', 0.262083, 0.349444, 0.5599),
+  ('unknown', 'edge_convex', 0.349444, 0.40625, 0.4255),
+  ('unknown', 'edge_convex', 0.40625, 0.436806, 0.4259),
+  ('unknown', 'edge_convex', 0.436806, 0.524167, 0.5072),
+  ('unknown', 'edge_convex', 0.524167, 0.611528, 0.2449),
+  ('unknown', 'edge_convex', 0.611528, 0.698889, 0.1963),
+  ('unknown', 'edge_convex', 0.698889, 0.78625, 0.07342),
+  ('unknown', 'edge_convex', 0.78625, 1, 0.04187);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'edge_free';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'edge_free', 0, 0.111111, 1.967),
@@ -129,24 +166,6 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'edge_free_top', 0.788741, 0.888889, 0.6723),
   ('unknown', 'edge_free_top', 0.888889, 0.933634, 1.011),
   ('unknown', 'edge_free_top', 0.933634, 1, 4.999);
-DELETE FROM class_density WHERE class = 'unknown' AND feature = 'edge_joined';
-INSERT INTO class_density (class, feature, low, high, density) VALUES
-  ('unknown', 'edge_joined', 0, 0.0141074, 15.69),
-  ('unknown', 'edge_joined', 0.0141074, 0.05651, 2.627),
-  ('unknown', 'edge_joined', 0.05651, 0.111111, 1.601),
-  ('unknown', 'edge_joined', 0.111111, 0.129255, 1.321),
-  ('unknown', 'edge_joined', 0.129255, 0.222222, 0.9985),
-  ('unknown', 'edge_joined', 0.222222, 0.244057, 0.8136),
-  ('unknown', 'edge_joined', 0.244057, 0.333333, 0.8229),
-  ('unknown', 'edge_joined', 0.333333, 0.386385, 0.7196),
-  ('unknown', 'edge_joined', 0.386385, 0.444444, 0.6079),
-  ('unknown', 'edge_joined', 0.444444, 0.555556, 0.5401),
-  ('unknown', 'edge_joined', 0.555556, 0.589013, 0.4922),
-  ('unknown', 'edge_joined', 0.589013, 0.666667, 0.419),
-  ('unknown', 'edge_joined', 0.666667, 0.777778, 0.3986),
-  ('unknown', 'edge_joined', 0.777778, 0.87092, 0.3711),
-  ('unknown', 'edge_joined', 0.87092, 0.888889, 0.391),
-  ('unknown', 'edge_joined', 0.888889, 1, 0.9314);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'edge_unseen';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'edge_unseen', 0, 0.0424116, 18.31),
@@ -161,6 +180,27 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'edge_unseen', 0.382213, 0.436815, 0.2787),
   ('unknown', 'edge_unseen', 0.436815, 0.491416, 0.09831),
   ('unknown', 'edge_unseen', 0.491416, 1, 0.01841);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'headroom';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'headroom', -2, -0.287858, 0.004839),
+  ('unknown', 'headroom', -0.287858, -0.0162393, 0.4376),
+  ('unknown', 'headroom', -0.0162393, 0.0140559, 2.734),
+  ('unknown', 'headroom', 0.0140559, 0.0484852, 0.7168),
+  ('unknown', 'headroom', 0.0484852, 0.209428, 0.6156),
+  ('unknown', 'headroom', 0.209428, 0.34723, 0.7965),
+  ('unknown', 'headroom', 0.34723, 0.384828, 0.7686),
+  ('unknown', 'headroom', 0.384828, 0.601054, 0.3848),
+  ('unknown', 'headroom', 0.601054, 0.721171, 0.2344),
+  ('unknown', 'headroom', 0.721171, 1.05751, 0.174),
+  ('unknown', 'headroom', 1.05751, 1.19567, 0.1728),
+  ('unknown', 'headroom', 1.19567, 1.39386, 0.1695),
+  ('unknown', 'headroom', 1.39386, 1.7302, 0.2177),
+  ('unknown', 'headroom', 1.7302, 1.743, 0.3596),
+  ('unknown', 'headroom', 1.743, 2.06654, 0.3277),
+  ('unknown', 'headroom', 2.06654, 2.09196, 0.242),
+  ('unknown', 'headroom', 2.09196, 2.40289, 0.2317),
+  ('unknown', 'headroom', 2.40289, 2.73923, 0.0908),
+  ('unknown', 'headroom', 2.73923, 4, 0.006112);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'height';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'height', -0.5, 0.0470541, 0.01156),
@@ -182,27 +222,28 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'height', 2.31779, 2.64218, 0.1308),
   ('unknown', 'height', 2.64218, 2.96658, 0.07469),
   ('unknown', 'height', 2.96658, 4, 0.009084);
-DELETE FROM class_density WHERE class = 'unknown' AND feature = 'length';
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'lift';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
-  ('unknown', 'length', 0.03, 0.163856, 0.004562),
-  ('unknown', 'length', 0.163856, 0.252907, 0.125),
-  ('unknown', 'length', 0.252907, 0.296722, 0.3032),
-  ('unknown', 'length', 0.296722, 0.365877, 0.5357),
-  ('unknown', 'length', 0.365877, 0.390355, 0.5112),
-  ('unknown', 'length', 0.390355, 0.448671, 0.5564),
-  ('unknown', 'length', 0.448671, 0.552843, 0.53),
-  ('unknown', 'length', 0.552843, 0.602501, 0.511),
-  ('unknown', 'length', 0.602501, 0.702525, 0.4377),
-  ('unknown', 'length', 0.702525, 0.893637, 0.4638),
-  ('unknown', 'length', 0.893637, 0.929944, 0.4247),
-  ('unknown', 'length', 0.929944, 1.17605, 0.4019),
-  ('unknown', 'length', 1.17605, 1.43534, 0.4911),
-  ('unknown', 'length', 1.43534, 1.48208, 0.414),
-  ('unknown', 'length', 1.48208, 2.21541, 0.1652),
-  ('unknown', 'length', 2.21541, 3.41942, 0.02954),
-  ('unknown', 'length', 3.41942, 5.27778, 0.02491),
-  ('unknown', 'length', 5.27778, 8.1461, 0.02595),
-  ('unknown', 'length', 8.1461, 30, 0.007365);
+  ('unknown', 'lift', -1, -0.120125, 0.002039),
+  ('unknown', 'lift', -0.120125, -0.0999694, 0.4061),
+  ('unknown', 'lift', -0.0999694, -0.0334703, 1.799),
+  ('unknown', 'lift', -0.0334703, -0.0150887, 6.241),
+  ('unknown', 'lift', -0.0150887, -0.00572049, 8.82),
+  ('unknown', 'lift', -0.00572049, 0.00584349, 8.825),
+  ('unknown', 'lift', 0.00584349, 0.0205563, 6.906),
+  ('unknown', 'lift', 0.0205563, 0.067784, 2.751),
+  ('unknown', 'lift', 0.067784, 0.109391, 0.9009),
+  ('unknown', 'lift', 0.109391, 0.264735, 0.5014),
+  ('unknown', 'lift', 0.264735, 0.338906, 0.4946),
+  ('unknown', 'lift', 0.338906, 0.568422, 0.2726),
+  ('unknown', 'lift', 0.568422, 0.639018, 0.2096),
+  ('unknown', 'lift', 0.639018, 0.797937, 0.1693),
+  ('unknown', 'lift', 0.797937, 1.02745, 0.05184),
+  ('unknown', 'lift', 1.02745, 1.25697, 0.08492),
+  ('unknown', 'lift', 1.25697, 1.48648, 0.09315),
+  ('unknown', 'lift', 1.48648, 1.716, 0.04781),
+  ('unknown', 'lift', 1.716, 1.94551, 0.04838),
+  ('unknown', 'lift', 1.94551, 4, 0.004066);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'rectangularity';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'rectangularity', 0, 0.288558, 0.03298),
@@ -264,6 +305,27 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'spread_width', 1.874, 2.94255, 0.01649),
   ('unknown', 'spread_width', 2.94255, 4.62037, 0.02064),
   ('unknown', 'spread_width', 4.62037, 20, 0.006382);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'standoff';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'standoff', -0.05, -0.0154477, 0.143),
+  ('unknown', 'standoff', -0.0154477, 0.0236913, 2.649),
+  ('unknown', 'standoff', 0.0236913, 0.119544, 1.22),
+  ('unknown', 'standoff', 0.119544, 0.149674, 2.768),
+  ('unknown', 'standoff', 0.149674, 0.190514, 0.5726),
+  ('unknown', 'standoff', 0.190514, 0.295621, 1.068),
+  ('unknown', 'standoff', 0.295621, 0.314795, 1.124),
+  ('unknown', 'standoff', 0.314795, 0.396584, 1.073),
+  ('unknown', 'standoff', 0.396584, 0.479917, 0.8647),
+  ('unknown', 'standoff', 0.479917, 0.532235, 0.7845),
+  ('unknown', 'standoff', 0.532235, 0.645038, 0.6061),
+  ('unknown', 'standoff', 0.645038, 0.757036, 0.3778),
+  ('unknown', 'standoff', 0.757036, 0.81016, 0.4094),
+  ('unknown', 'standoff', 0.81016, 0.975281, 0.3453),
+  ('unknown', 'standoff', 0.975281, 1.07821, 0.3077),
+  ('unknown', 'standoff', 1.07821, 1.1404, 0.3095),
+  ('unknown', 'standoff', 1.1404, 1.30552, 0.3009),
+  ('unknown', 'standoff', 1.30552, 1.47065, 0.2236),
+  ('unknown', 'standoff', 1.47065, 1.5, 0.2054);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'tilt_deg';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'tilt_deg', 0, 0.448873, 0.2314),
@@ -281,6 +343,26 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'tilt_deg', 88.608, 89.5138, 0.148),
   ('unknown', 'tilt_deg', 89.5138, 89.7989, 0.6552),
   ('unknown', 'tilt_deg', 89.7989, 90, 1.161);
+DELETE FROM class_density WHERE class = 'unknown' AND feature = 'wall_offset';
+INSERT INTO class_density (class, feature, low, high, density) VALUES
+  ('unknown', 'wall_offset', -2, -1.23731, 0.02294),
+  ('unknown', 'wall_offset', -1.23731, -0.474623, 0.003855),
+  ('unknown', 'wall_offset', -0.474623, 0.0156737, 0.1743),
+  ('unknown', 'wall_offset', 0.0156737, 0.119794, 1.152),
+  ('unknown', 'wall_offset', 0.119794, 0.239349, 0.9152),
+  ('unknown', 'wall_offset', 0.239349, 0.288066, 0.7167),
+  ('unknown', 'wall_offset', 0.288066, 0.414763, 0.584),
+  ('unknown', 'wall_offset', 0.414763, 0.768599, 0.314),
+  ('unknown', 'wall_offset', 0.768599, 1.05075, 0.2201),
+  ('unknown', 'wall_offset', 1.05075, 1.26179, 0.2305),
+  ('unknown', 'wall_offset', 1.26179, 1.7024, 0.2517),
+  ('unknown', 'wall_offset', 1.7024, 1.81344, 0.2239),
+  ('unknown', 'wall_offset', 1.81344, 2.36426, 0.1571),
+  ('unknown', 'wall_offset', 2.36426, 2.57613, 0.1051),
+  ('unknown', 'wall_offset', 2.57613, 3.33882, 0.0565),
+  ('unknown', 'wall_offset', 3.33882, 4.10151, 0.03129),
+  ('unknown', 'wall_offset', 4.10151, 4.8642, 0.01602),
+  ('unknown', 'wall_offset', 4.8642, 6, 0.009066);
 DELETE FROM class_density WHERE class = 'unknown' AND feature = 'width';
 INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'width', 0.01, 0.0961073, 0.003346),
@@ -343,744 +425,906 @@ INSERT INTO class_density (class, feature, low, high, density) VALUES
   ('unknown', 'z_min', 2.46239, 2.83269, 0.09522),
   ('unknown', 'z_min', 2.83269, 4, 0.00759);
 DELETE FROM class_kind WHERE class = 'unknown';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 1, 0.02563, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 1, 0.03418, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 1, 'area_m2', -2.6, 0.2888),
-  ('unknown', 1, 'aspect', 0.3728, 0.2601),
-  ('unknown', 1, 'behind', 0.6407, 0.1737),
-  ('unknown', 1, 'edge_free', 0.4619, 0.1531),
-  ('unknown', 1, 'edge_free_top', 0.764, 0.2067),
-  ('unknown', 1, 'edge_joined', 0.2005, 0.1852),
-  ('unknown', 1, 'edge_unseen', 0.003499, 0.03431),
-  ('unknown', 1, 'height', 0.1925, 0.02518),
-  ('unknown', 1, 'length', -0.9111, 0.169),
-  ('unknown', 1, 'rectangularity', 0.6684, 0.1336),
-  ('unknown', 1, 'spread_length', -1.037, 0.1575),
-  ('unknown', 1, 'spread_width', -1.668, 0.1912),
-  ('unknown', 1, 'tilt_deg', 89.45, 1.441),
-  ('unknown', 1, 'width', -1.262, 0.2657),
-  ('unknown', 1, 'z_max', 0.3907, 0.04992),
-  ('unknown', 1, 'z_min', -0.01097, 0.0343);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 2, 0.06829, '');
+  ('unknown', 1, 'aspect', 0.4014, 0.3088),
+  ('unknown', 1, 'behind', 0.62, 0.1832),
+  ('unknown', 1, 'corner_offset', 1.25, 0.8277),
+  ('unknown', 1, 'edge_concave', 0.5539, 0.1675),
+  ('unknown', 1, 'edge_convex', 0.2445, 0.1723),
+  ('unknown', 1, 'edge_free', 0.4379, 0.1623),
+  ('unknown', 1, 'edge_free_top', 0.719, 0.2265),
+  ('unknown', 1, 'edge_unseen', 0.005297, 0.03001),
+  ('unknown', 1, 'headroom', 0.07855, 0.1324),
+  ('unknown', 1, 'height', 0.2193, 0.05701),
+  ('unknown', 1, 'lift', 0.1921, 0.1391),
+  ('unknown', 1, 'rectangularity', 0.5482, 0.16),
+  ('unknown', 1, 'spread_length', -0.905, 0.1663),
+  ('unknown', 1, 'spread_width', -1.482, 0.433),
+  ('unknown', 1, 'standoff', 0.4972, 0.132),
+  ('unknown', 1, 'tilt_deg', 89.09, 1.176),
+  ('unknown', 1, 'wall_offset', 1.159, 0.9467),
+  ('unknown', 1, 'width', -1.117, 0.3601),
+  ('unknown', 1, 'z_max', 0.4326, 0.05607),
+  ('unknown', 1, 'z_min', -0.01729, 0.03676);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 2, 0.04386, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 2, 'area_m2', -2.755, 0.3285),
-  ('unknown', 2, 'aspect', 0.3403, 0.2015),
-  ('unknown', 2, 'behind', 0.2604, 0.2109),
-  ('unknown', 2, 'edge_free', 0.4437, 0.3476),
-  ('unknown', 2, 'edge_free_top', 0.5635, 0.1226),
-  ('unknown', 2, 'edge_joined', 0.5639, 0.3315),
-  ('unknown', 2, 'edge_unseen', 0.005395, 0.03),
-  ('unknown', 2, 'height', 0.8209, 0.1121),
-  ('unknown', 2, 'length', -1.118, 0.168),
-  ('unknown', 2, 'rectangularity', 0.8293, 0.08039),
-  ('unknown', 2, 'spread_length', -1.257, 0.1358),
-  ('unknown', 2, 'spread_width', -1.514, 0.1226),
-  ('unknown', 2, 'tilt_deg', 0.3438, 0.5139),
-  ('unknown', 2, 'width', -1.479, 0.2225),
-  ('unknown', 2, 'z_max', 0.8356, 0.1176),
-  ('unknown', 2, 'z_min', 0.8239, 0.1194);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 3, 0.02822, '');
+  ('unknown', 2, 'aspect', 0.2517, 0.1991),
+  ('unknown', 2, 'behind', 0.2606, 0.239),
+  ('unknown', 2, 'corner_offset', 0.548, 0.4959),
+  ('unknown', 2, 'edge_concave', 0.06364, 0.1172),
+  ('unknown', 2, 'edge_convex', 0.003025, 0.03),
+  ('unknown', 2, 'edge_free', 0.4039, 0.3517),
+  ('unknown', 2, 'edge_free_top', 0.5541, 0.09615),
+  ('unknown', 2, 'edge_unseen', -0.0007032, 0.03),
+  ('unknown', 2, 'headroom', 2.026, 0.1804),
+  ('unknown', 2, 'height', 0.7501, 0.07856),
+  ('unknown', 2, 'lift', 0.03894, 0.04183),
+  ('unknown', 2, 'rectangularity', 0.8099, 0.06752),
+  ('unknown', 2, 'spread_length', -1.51, 0.2462),
+  ('unknown', 2, 'spread_width', -1.512, 0.1875),
+  ('unknown', 2, 'standoff', 0.4568, 0.1232),
+  ('unknown', 2, 'tilt_deg', 0.0143, 0.4508),
+  ('unknown', 2, 'wall_offset', 0.9364, 0.9524),
+  ('unknown', 2, 'width', -1.631, 0.2803),
+  ('unknown', 2, 'z_max', 0.7524, 0.08103),
+  ('unknown', 2, 'z_min', 0.7445, 0.07771);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 3, 0.02674, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 3, 'area_m2', -1.912, 0.3208),
-  ('unknown', 3, 'aspect', 0.3062, 0.246),
-  ('unknown', 3, 'behind', 0.6605, 0.1833),
-  ('unknown', 3, 'edge_free', 0.3999, 0.1403),
-  ('unknown', 3, 'edge_free_top', 0.5788, 0.2671),
-  ('unknown', 3, 'edge_joined', 0.3032, 0.2446),
-  ('unknown', 3, 'edge_unseen', 0.006522, 0.03),
-  ('unknown', 3, 'height', 0.2305, 0.05542),
-  ('unknown', 3, 'length', -0.482, 0.1908),
-  ('unknown', 3, 'rectangularity', 0.4604, 0.1471),
-  ('unknown', 3, 'spread_length', -0.6369, 0.1932),
-  ('unknown', 3, 'spread_width', -1.111, 0.2101),
-  ('unknown', 3, 'tilt_deg', 88.96, 1.604),
-  ('unknown', 3, 'width', -0.7767, 0.185),
-  ('unknown', 3, 'z_max', 0.5167, 0.1051),
-  ('unknown', 3, 'z_min', -0.009157, 0.03932);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 4, 0.02557, '');
+  ('unknown', 3, 'aspect', 1.347, 0.376),
+  ('unknown', 3, 'behind', 0.7039, 0.191),
+  ('unknown', 3, 'corner_offset', 0.5497, 0.728),
+  ('unknown', 3, 'edge_concave', 0.3251, 0.2879),
+  ('unknown', 3, 'edge_convex', 0.00216, 0.03288),
+  ('unknown', 3, 'edge_free', 0.3973, 0.3128),
+  ('unknown', 3, 'edge_free_top', 0.161, 0.2991),
+  ('unknown', 3, 'edge_unseen', 0.003032, 0.03004),
+  ('unknown', 3, 'headroom', 0.777, 0.8719),
+  ('unknown', 3, 'height', 0.4304, 0.08451),
+  ('unknown', 3, 'lift', 0.02873, 0.1021),
+  ('unknown', 3, 'rectangularity', 0.6063, 0.1975),
+  ('unknown', 3, 'spread_length', -0.3458, 0.2595),
+  ('unknown', 3, 'spread_width', -2.01, 0.3711),
+  ('unknown', 3, 'standoff', 0.5537, 0.4769),
+  ('unknown', 3, 'tilt_deg', 88.78, 1.744),
+  ('unknown', 3, 'wall_offset', 1.33, 0.4629),
+  ('unknown', 3, 'width', -1.663, 0.3411),
+  ('unknown', 3, 'z_max', 0.7453, 0.1689),
+  ('unknown', 3, 'z_min', 0.121, 0.1215);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 4, 0.03752, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 4, 'area_m2', -1.301, 0.1477),
-  ('unknown', 4, 'aspect', 1.719, 0.157),
-  ('unknown', 4, 'behind', 0.2741, 0.2894),
-  ('unknown', 4, 'edge_free', 0.8864, 0.1328),
-  ('unknown', 4, 'edge_free_top', 0.5649, 0.1307),
-  ('unknown', 4, 'edge_joined', 0.1047, 0.1259),
-  ('unknown', 4, 'edge_unseen', 0.01141, 0.03195),
-  ('unknown', 4, 'height', 2.524, 0.2733),
-  ('unknown', 4, 'length', 0.2939, 0.1074),
-  ('unknown', 4, 'rectangularity', 0.857, 0.04939),
-  ('unknown', 4, 'spread_length', 0.2407, 0.121),
-  ('unknown', 4, 'spread_width', -1.553, 0.05215),
-  ('unknown', 4, 'tilt_deg', 0.833, 1.443),
-  ('unknown', 4, 'width', -1.443, 0.1094),
-  ('unknown', 4, 'z_max', 2.545, 0.2909),
-  ('unknown', 4, 'z_min', 2.533, 0.2824);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 5, 0.03897, '');
+  ('unknown', 4, 'aspect', 0.3431, 0.2609),
+  ('unknown', 4, 'behind', 0.01218, 0.0301),
+  ('unknown', 4, 'corner_offset', 1.398, 0.972),
+  ('unknown', 4, 'edge_concave', 0.07873, 0.2023),
+  ('unknown', 4, 'edge_convex', 0.005334, 0.07906),
+  ('unknown', 4, 'edge_free', -0.00734, 0.03),
+  ('unknown', 4, 'edge_free_top', -0.003845, 0.03),
+  ('unknown', 4, 'edge_unseen', 0.05909, 0.1019),
+  ('unknown', 4, 'headroom', 0.9166, 0.2752),
+  ('unknown', 4, 'height', 1.652, 0.09599),
+  ('unknown', 4, 'lift', 0.3806, 0.2183),
+  ('unknown', 4, 'rectangularity', 0.8065, 0.1121),
+  ('unknown', 4, 'spread_length', -0.6245, 0.2243),
+  ('unknown', 4, 'spread_width', -1.18, 0.3801),
+  ('unknown', 4, 'standoff', 0.02135, 0.008358),
+  ('unknown', 4, 'tilt_deg', 89.58, 0.9644),
+  ('unknown', 4, 'wall_offset', 0.07054, 0.04),
+  ('unknown', 4, 'width', -0.8945, 0.4669),
+  ('unknown', 4, 'z_max', 2.021, 0.1675),
+  ('unknown', 4, 'z_min', 1.333, 0.06667);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 5, 0.01469, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 5, 'area_m2', -2.719, 0.3184),
-  ('unknown', 5, 'aspect', 0.4975, 0.3536),
-  ('unknown', 5, 'behind', 0.5849, 0.2002),
-  ('unknown', 5, 'edge_free', 0.6026, 0.1017),
-  ('unknown', 5, 'edge_free_top', 0.9752, 0.04692),
-  ('unknown', 5, 'edge_joined', 0.08161, 0.1016),
-  ('unknown', 5, 'edge_unseen', 0.007242, 0.03675),
-  ('unknown', 5, 'height', 0.8604, 0.03434),
-  ('unknown', 5, 'length', -0.9933, 0.2685),
-  ('unknown', 5, 'rectangularity', 0.7258, 0.1004),
-  ('unknown', 5, 'spread_length', -1.266, 0.1383),
-  ('unknown', 5, 'spread_width', -1.548, 0.2202),
-  ('unknown', 5, 'tilt_deg', 85.05, 8.763),
-  ('unknown', 5, 'width', -1.428, 0.2144),
-  ('unknown', 5, 'z_max', 0.972, 0.05559),
-  ('unknown', 5, 'z_min', 0.7338, 0.03674);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 6, 0.03342, '');
+  ('unknown', 5, 'aspect', 1.72, 0.1602),
+  ('unknown', 5, 'behind', 0.2655, 0.2746),
+  ('unknown', 5, 'corner_offset', 0.8884, 0.4937),
+  ('unknown', 5, 'edge_concave', 0.002343, 0.03),
+  ('unknown', 5, 'edge_convex', 0.003786, 0.03),
+  ('unknown', 5, 'edge_free', 0.871, 0.1423),
+  ('unknown', 5, 'edge_free_top', 0.565, 0.1303),
+  ('unknown', 5, 'edge_unseen', 0.01054, 0.03078),
+  ('unknown', 5, 'headroom', 0.3346, 0.1316),
+  ('unknown', 5, 'height', 2.545, 0.3113),
+  ('unknown', 5, 'lift', 1.677, 0.256),
+  ('unknown', 5, 'rectangularity', 0.8568, 0.05058),
+  ('unknown', 5, 'spread_length', 0.241, 0.1202),
+  ('unknown', 5, 'spread_width', -1.549, 0.04972),
+  ('unknown', 5, 'standoff', 0.4535, 0.1269),
+  ('unknown', 5, 'tilt_deg', 0.7868, 1.314),
+  ('unknown', 5, 'wall_offset', 0.7971, 0.7876),
+  ('unknown', 5, 'width', -1.448, 0.1087),
+  ('unknown', 5, 'z_max', 2.553, 0.3255),
+  ('unknown', 5, 'z_min', 2.554, 0.3216);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 6, 0.02568, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 6, 'area_m2', -1.834, 0.634),
-  ('unknown', 6, 'aspect', 0.9131, 0.6913),
-  ('unknown', 6, 'behind', 0.3475, 0.1152),
-  ('unknown', 6, 'edge_free', 0.2842, 0.2151),
-  ('unknown', 6, 'edge_free_top', 0.4111, 0.2512),
-  ('unknown', 6, 'edge_joined', 0.3685, 0.2613),
-  ('unknown', 6, 'edge_unseen', 0.1662, 0.1008),
-  ('unknown', 6, 'height', 1.084, 0.3647),
-  ('unknown', 6, 'length', -0.2235, 0.3365),
-  ('unknown', 6, 'rectangularity', 0.6946, 0.0941),
-  ('unknown', 6, 'spread_length', -0.47, 0.3182),
-  ('unknown', 6, 'spread_width', -1.416, 0.587),
-  ('unknown', 6, 'tilt_deg', 88.3, 0.9517),
-  ('unknown', 6, 'width', -1.14, 0.5809),
-  ('unknown', 6, 'z_max', 1.41, 0.4021),
-  ('unknown', 6, 'z_min', 0.7343, 0.2584);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 7, 0.04942, '');
+  ('unknown', 6, 'aspect', 0.2634, 0.2746),
+  ('unknown', 6, 'behind', 0.7576, 0.1171),
+  ('unknown', 6, 'corner_offset', 0.7032, 0.7503),
+  ('unknown', 6, 'edge_concave', 0.4447, 0.1221),
+  ('unknown', 6, 'edge_convex', -0.002476, 0.03),
+  ('unknown', 6, 'edge_free', 0.339, 0.09652),
+  ('unknown', 6, 'edge_free_top', 0.4153, 0.2463),
+  ('unknown', 6, 'edge_unseen', 0.01333, 0.03089),
+  ('unknown', 6, 'headroom', 0.01643, 0.05865),
+  ('unknown', 6, 'height', 0.3415, 0.1349),
+  ('unknown', 6, 'lift', 0.1917, 0.1387),
+  ('unknown', 6, 'rectangularity', 0.3988, 0.1389),
+  ('unknown', 6, 'spread_length', -0.37, 0.115),
+  ('unknown', 6, 'spread_width', -1.108, 0.3045),
+  ('unknown', 6, 'standoff', 0.5375, 0.2046),
+  ('unknown', 6, 'tilt_deg', 88.14, 1.457),
+  ('unknown', 6, 'wall_offset', 1.194, 0.9636),
+  ('unknown', 6, 'width', -0.6423, 0.2753),
+  ('unknown', 6, 'z_max', 0.7226, 0.1577),
+  ('unknown', 6, 'z_min', -0.01639, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 7, 0.03594, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 7, 'area_m2', -1.704, 0.5212),
-  ('unknown', 7, 'aspect', 0.6722, 0.4123),
-  ('unknown', 7, 'behind', 0.7326, 0.1041),
-  ('unknown', 7, 'edge_free', 0.2553, 0.1135),
-  ('unknown', 7, 'edge_free_top', 0.5549, 0.1252),
-  ('unknown', 7, 'edge_joined', 0.6017, 0.2496),
-  ('unknown', 7, 'edge_unseen', 0.06742, 0.08837),
-  ('unknown', 7, 'height', 0.9491, 0.273),
-  ('unknown', 7, 'length', -0.2485, 0.4076),
-  ('unknown', 7, 'rectangularity', 0.6556, 0.1177),
-  ('unknown', 7, 'spread_length', -0.2616, 0.4508),
-  ('unknown', 7, 'spread_width', -1.073, 0.341),
-  ('unknown', 7, 'tilt_deg', 3.994, 1.081),
-  ('unknown', 7, 'width', -0.9482, 0.1902),
-  ('unknown', 7, 'z_max', 1.021, 0.3141),
-  ('unknown', 7, 'z_min', 0.9666, 0.3045);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 8, 0.03547, '');
+  ('unknown', 7, 'aspect', 0.6568, 0.417),
+  ('unknown', 7, 'behind', 0.6016, 0.2006),
+  ('unknown', 7, 'corner_offset', 1.504, 0.8221),
+  ('unknown', 7, 'edge_concave', 0.4983, 0.2138),
+  ('unknown', 7, 'edge_convex', 0.2527, 0.1609),
+  ('unknown', 7, 'edge_free', 0.5722, 0.1599),
+  ('unknown', 7, 'edge_free_top', 0.9013, 0.1565),
+  ('unknown', 7, 'edge_unseen', 0.008854, 0.03146),
+  ('unknown', 7, 'headroom', 1.093, 0.8563),
+  ('unknown', 7, 'height', 0.8691, 0.03473),
+  ('unknown', 7, 'lift', -0.02731, 0.03049),
+  ('unknown', 7, 'rectangularity', 0.7614, 0.104),
+  ('unknown', 7, 'spread_length', -1.228, 0.1323),
+  ('unknown', 7, 'spread_width', -1.496, 0.2609),
+  ('unknown', 7, 'standoff', 0.8012, 0.33),
+  ('unknown', 7, 'tilt_deg', 89.8, 0.45),
+  ('unknown', 7, 'wall_offset', 1.318, 0.7588),
+  ('unknown', 7, 'width', -1.36, 0.2643),
+  ('unknown', 7, 'z_max', 1.018, 0.07442),
+  ('unknown', 7, 'z_min', 0.7424, 0.05753);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 8, 0.02886, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 8, 'area_m2', -3.63, 0.58),
-  ('unknown', 8, 'aspect', 0.7674, 0.3255),
-  ('unknown', 8, 'behind', 0.2216, 0.2234),
-  ('unknown', 8, 'edge_free', 0.541, 0.242),
-  ('unknown', 8, 'edge_free_top', 0.649, 0.3922),
-  ('unknown', 8, 'edge_joined', 0.3441, 0.2347),
-  ('unknown', 8, 'edge_unseen', 0.1211, 0.1538),
-  ('unknown', 8, 'height', 0.5262, 0.4517),
-  ('unknown', 8, 'length', -1.345, 0.352),
-  ('unknown', 8, 'rectangularity', 0.7306, 0.1012),
-  ('unknown', 8, 'spread_length', -1.459, 0.4349),
-  ('unknown', 8, 'spread_width', -2.248, 0.2844),
-  ('unknown', 8, 'tilt_deg', 23.89, 20.48),
-  ('unknown', 8, 'width', -2.004, 0.3766),
-  ('unknown', 8, 'z_max', 0.4739, 0.4675),
-  ('unknown', 8, 'z_min', 0.4099, 0.4232);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 9, 0.02953, '');
+  ('unknown', 8, 'aspect', 0.6676, 0.5973),
+  ('unknown', 8, 'behind', 0.5145, 0.2224),
+  ('unknown', 8, 'corner_offset', 1.902, 0.7362),
+  ('unknown', 8, 'edge_concave', 0.1681, 0.1946),
+  ('unknown', 8, 'edge_convex', 0.09378, 0.1492),
+  ('unknown', 8, 'edge_free', 0.8442, 0.1971),
+  ('unknown', 8, 'edge_free_top', 0.945, 0.09607),
+  ('unknown', 8, 'edge_unseen', 0.1516, 0.1356),
+  ('unknown', 8, 'headroom', 1.174, 0.4597),
+  ('unknown', 8, 'height', 0.87, 0.0856),
+  ('unknown', 8, 'lift', 0.03962, 0.1347),
+  ('unknown', 8, 'rectangularity', 0.7046, 0.08609),
+  ('unknown', 8, 'spread_length', -0.301, 0.6064),
+  ('unknown', 8, 'spread_width', -0.9985, 0.1861),
+  ('unknown', 8, 'standoff', 0.3599, 0.2954),
+  ('unknown', 8, 'tilt_deg', 84.98, 9.12),
+  ('unknown', 8, 'wall_offset', 2.035, 1.183),
+  ('unknown', 8, 'width', -0.7749, 0.1702),
+  ('unknown', 8, 'z_max', 1.158, 0.1199),
+  ('unknown', 8, 'z_min', 0.5805, 0.08577);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 9, 0.03257, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 9, 'area_m2', -2.134, 0.2807),
-  ('unknown', 9, 'aspect', 0.4558, 0.2855),
-  ('unknown', 9, 'behind', 0.7283, 0.06937),
-  ('unknown', 9, 'edge_free', 0.3542, 0.1199),
-  ('unknown', 9, 'edge_free_top', 0.6041, 0.1833),
-  ('unknown', 9, 'edge_joined', 0.318, 0.1817),
-  ('unknown', 9, 'edge_unseen', 0.001767, 0.03),
-  ('unknown', 9, 'height', 1.323, 0.4229),
-  ('unknown', 9, 'length', -0.6437, 0.1947),
-  ('unknown', 9, 'rectangularity', 0.6372, 0.07151),
-  ('unknown', 9, 'spread_length', -0.9637, 0.2141),
-  ('unknown', 9, 'spread_width', -1.332, 0.1882),
-  ('unknown', 9, 'tilt_deg', 89.15, 1.724),
-  ('unknown', 9, 'width', -1.08, 0.1726),
-  ('unknown', 9, 'z_max', 1.577, 0.4302),
-  ('unknown', 9, 'z_min', 1.115, 0.3865);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 10, 0.02654, '');
+  ('unknown', 9, 'aspect', 0.6483, 0.2623),
+  ('unknown', 9, 'behind', 0.6799, 0.199),
+  ('unknown', 9, 'corner_offset', 0.8573, 0.5121),
+  ('unknown', 9, 'edge_concave', 0.0008367, 0.03001),
+  ('unknown', 9, 'edge_convex', 0.5608, 0.1502),
+  ('unknown', 9, 'edge_free', 0.7565, 0.1589),
+  ('unknown', 9, 'edge_free_top', 0.6297, 0.3613),
+  ('unknown', 9, 'edge_unseen', 0.01267, 0.04572),
+  ('unknown', 9, 'headroom', 1.157, 0.9198),
+  ('unknown', 9, 'height', 0.4376, 0.02432),
+  ('unknown', 9, 'lift', -0.06906, 0.05167),
+  ('unknown', 9, 'rectangularity', 0.7877, 0.1054),
+  ('unknown', 9, 'spread_length', -0.9644, 0.1297),
+  ('unknown', 9, 'spread_width', -1.705, 0.3946),
+  ('unknown', 9, 'standoff', 0.6552, 0.5182),
+  ('unknown', 9, 'tilt_deg', 47.54, 43.2),
+  ('unknown', 9, 'wall_offset', 1.475, 0.6683),
+  ('unknown', 9, 'width', -1.53, 0.309),
+  ('unknown', 9, 'z_max', 0.4853, 0.1156),
+  ('unknown', 9, 'z_min', 0.3831, 0.03756);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 10, 0.03412, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 10, 'area_m2', -1.299, 0.2771),
-  ('unknown', 10, 'aspect', 1.629, 0.2065),
-  ('unknown', 10, 'behind', 0.6561, 0.1754),
-  ('unknown', 10, 'edge_free', 0.2059, 0.1906),
-  ('unknown', 10, 'edge_free_top', 0.01075, 0.03337),
-  ('unknown', 10, 'edge_joined', 0.3927, 0.316),
-  ('unknown', 10, 'edge_unseen', 0.0163, 0.03787),
-  ('unknown', 10, 'height', 1.512, 0.07948),
-  ('unknown', 10, 'length', 0.3134, 0.1308),
-  ('unknown', 10, 'rectangularity', 0.7891, 0.0586),
-  ('unknown', 10, 'spread_length', 0.1359, 0.1145),
-  ('unknown', 10, 'spread_width', -1.484, 0.2225),
-  ('unknown', 10, 'tilt_deg', 89.87, 1.09),
-  ('unknown', 10, 'width', -1.342, 0.2294),
-  ('unknown', 10, 'z_max', 2.242, 0.1458),
-  ('unknown', 10, 'z_min', 0.8322, 0.09013);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 11, 0.02895, '');
+  ('unknown', 10, 'aspect', 0.3928, 0.2261),
+  ('unknown', 10, 'behind', 0.4176, 0.1058),
+  ('unknown', 10, 'corner_offset', 1.386, 0.8374),
+  ('unknown', 10, 'edge_concave', 0.07131, 0.08622),
+  ('unknown', 10, 'edge_convex', 0.04728, 0.1036),
+  ('unknown', 10, 'edge_free', 0.8439, 0.1444),
+  ('unknown', 10, 'edge_free_top', 0.9917, 0.03001),
+  ('unknown', 10, 'edge_unseen', 0.04522, 0.108),
+  ('unknown', 10, 'headroom', 1.912, 0.263),
+  ('unknown', 10, 'height', 0.4987, 0.06319),
+  ('unknown', 10, 'lift', 0.1964, 0.1342),
+  ('unknown', 10, 'rectangularity', 0.8199, 0.09173),
+  ('unknown', 10, 'spread_length', -0.07523, 0.2642),
+  ('unknown', 10, 'spread_width', -0.4943, 0.1199),
+  ('unknown', 10, 'standoff', 0.1311, 0.02325),
+  ('unknown', 10, 'tilt_deg', 89.51, 1.498),
+  ('unknown', 10, 'wall_offset', 0.15, 0.04),
+  ('unknown', 10, 'width', -0.3704, 0.2054),
+  ('unknown', 10, 'z_max', 0.8278, 0.1232),
+  ('unknown', 10, 'z_min', 0.04588, 0.06253);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 11, 0.03033, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 11, 'area_m2', -0.9077, 0.4224),
-  ('unknown', 11, 'aspect', 0.2755, 0.2051),
-  ('unknown', 11, 'behind', 0.6668, 0.1878),
-  ('unknown', 11, 'edge_free', 0.4163, 0.223),
-  ('unknown', 11, 'edge_free_top', 0.3071, 0.1792),
-  ('unknown', 11, 'edge_joined', 0.2928, 0.1967),
-  ('unknown', 11, 'edge_unseen', 0.009589, 0.03995),
-  ('unknown', 11, 'height', 0.4208, 0.09611),
-  ('unknown', 11, 'length', -0.08691, 0.179),
-  ('unknown', 11, 'rectangularity', 0.6282, 0.1056),
-  ('unknown', 11, 'spread_length', -0.2514, 0.1369),
-  ('unknown', 11, 'spread_width', -0.6211, 0.2765),
-  ('unknown', 11, 'tilt_deg', 89.37, 1.608),
-  ('unknown', 11, 'width', -0.3377, 0.1879),
-  ('unknown', 11, 'z_max', 0.742, 0.04647),
-  ('unknown', 11, 'z_min', 0.01494, 0.06572);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 12, 0.06477, '');
+  ('unknown', 11, 'aspect', 0.4011, 0.3263),
+  ('unknown', 11, 'behind', 0.5605, 0.2594),
+  ('unknown', 11, 'corner_offset', 1.433, 0.867),
+  ('unknown', 11, 'edge_concave', 0.3685, 0.1136),
+  ('unknown', 11, 'edge_convex', 0.2583, 0.1502),
+  ('unknown', 11, 'edge_free', 0.7543, 0.1337),
+  ('unknown', 11, 'edge_free_top', 0.8996, 0.2326),
+  ('unknown', 11, 'edge_unseen', 0.07129, 0.07975),
+  ('unknown', 11, 'headroom', -0.03371, 0.04242),
+  ('unknown', 11, 'height', 0.5147, 0.05717),
+  ('unknown', 11, 'lift', 0.04055, 0.1197),
+  ('unknown', 11, 'rectangularity', 0.6927, 0.07954),
+  ('unknown', 11, 'spread_length', -0.2335, 0.3077),
+  ('unknown', 11, 'spread_width', -0.6914, 0.3548),
+  ('unknown', 11, 'standoff', 0.7316, 1.115),
+  ('unknown', 11, 'tilt_deg', 89.53, 1.096),
+  ('unknown', 11, 'wall_offset', 2.094, 0.3986),
+  ('unknown', 11, 'width', -0.4119, 0.2345),
+  ('unknown', 11, 'z_max', 0.7616, 0.05395),
+  ('unknown', 11, 'z_min', 0.09258, 0.1479);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 12, 0.01801, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 12, 'area_m2', -1.957, 0.4437),
-  ('unknown', 12, 'aspect', 1.11, 0.4908),
-  ('unknown', 12, 'behind', 0.5747, 0.2006),
-  ('unknown', 12, 'edge_free', 0.4345, 0.2559),
-  ('unknown', 12, 'edge_free_top', 0.3114, 0.247),
-  ('unknown', 12, 'edge_joined', 0.2829, 0.3175),
-  ('unknown', 12, 'edge_unseen', 0.009512, 0.03),
-  ('unknown', 12, 'height', 0.4587, 0.09707),
-  ('unknown', 12, 'length', -0.1491, 0.2569),
-  ('unknown', 12, 'rectangularity', 0.576, 0.2221),
-  ('unknown', 12, 'spread_length', -0.1386, 0.3657),
-  ('unknown', 12, 'spread_width', -1.548, 0.5114),
-  ('unknown', 12, 'tilt_deg', 88.73, 1.18),
-  ('unknown', 12, 'width', -1.18, 0.4983),
-  ('unknown', 12, 'z_max', 0.7458, 0.1638),
-  ('unknown', 12, 'z_min', 0.1831, 0.1166);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 13, 0.01895, '');
+  ('unknown', 12, 'aspect', 1.421, 0.4779),
+  ('unknown', 12, 'behind', 0.5428, 0.1659),
+  ('unknown', 12, 'corner_offset', 0.5753, 0.7564),
+  ('unknown', 12, 'edge_concave', 0.6335, 0.21),
+  ('unknown', 12, 'edge_convex', 0.1457, 0.2367),
+  ('unknown', 12, 'edge_free', 0.2161, 0.2449),
+  ('unknown', 12, 'edge_free_top', 0.5654, 0.1298),
+  ('unknown', 12, 'edge_unseen', 0.1706, 0.1137),
+  ('unknown', 12, 'headroom', 1.273, 0.2145),
+  ('unknown', 12, 'height', 0.8754, 0.1065),
+  ('unknown', 12, 'lift', 0.1264, 0.05115),
+  ('unknown', 12, 'rectangularity', 0.7042, 0.08087),
+  ('unknown', 12, 'spread_length', -0.2846, 0.6261),
+  ('unknown', 12, 'spread_width', -1.644, 0.3759),
+  ('unknown', 12, 'standoff', 0.4543, 0.1251),
+  ('unknown', 12, 'tilt_deg', 1.679, 1.608),
+  ('unknown', 12, 'wall_offset', 0.7863, 0.7651),
+  ('unknown', 12, 'width', -1.453, 0.2429),
+  ('unknown', 12, 'z_max', 0.8874, 0.08969),
+  ('unknown', 12, 'z_min', 0.8747, 0.1026);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 13, 0.02644, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 13, 'area_m2', -2.068, 0.5741),
-  ('unknown', 13, 'aspect', 0.4334, 0.3343),
-  ('unknown', 13, 'behind', 0.3918, 0.1477),
-  ('unknown', 13, 'edge_free', 0.8454, 0.2026),
-  ('unknown', 13, 'edge_free_top', 0.9845, 0.0357),
-  ('unknown', 13, 'edge_joined', 0.01091, 0.03),
-  ('unknown', 13, 'edge_unseen', 0.1801, 0.1562),
-  ('unknown', 13, 'height', 0.7293, 0.2245),
-  ('unknown', 13, 'length', -0.58, 0.3036),
-  ('unknown', 13, 'rectangularity', 0.6392, 0.1139),
-  ('unknown', 13, 'spread_length', -0.7515, 0.3733),
-  ('unknown', 13, 'spread_width', -1.221, 0.3292),
-  ('unknown', 13, 'tilt_deg', 84.86, 7.921),
-  ('unknown', 13, 'width', -0.9865, 0.3223),
-  ('unknown', 13, 'z_max', 0.9691, 0.2597),
-  ('unknown', 13, 'z_min', 0.4687, 0.1419);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 14, 0.01987, '');
+  ('unknown', 13, 'aspect', 1.071, 0.3815),
+  ('unknown', 13, 'behind', 0.7251, 0.1751),
+  ('unknown', 13, 'corner_offset', 0.5043, 0.7325),
+  ('unknown', 13, 'edge_concave', 0.6042, 0.1272),
+  ('unknown', 13, 'edge_convex', 0.08377, 0.1409),
+  ('unknown', 13, 'edge_free', 0.203, 0.08123),
+  ('unknown', 13, 'edge_free_top', 0.2801, 0.156),
+  ('unknown', 13, 'edge_unseen', 0.009604, 0.03006),
+  ('unknown', 13, 'headroom', 0.2484, 0.9867),
+  ('unknown', 13, 'height', 0.8484, 0.1588),
+  ('unknown', 13, 'lift', -0.04775, 0.03446),
+  ('unknown', 13, 'rectangularity', 0.5385, 0.1644),
+  ('unknown', 13, 'spread_length', 0.5276, 0.3391),
+  ('unknown', 13, 'spread_width', -0.7368, 0.7729),
+  ('unknown', 13, 'standoff', 0.9719, 0.1744),
+  ('unknown', 13, 'tilt_deg', 88.53, 0.8579),
+  ('unknown', 13, 'wall_offset', 1.496, 0.5476),
+  ('unknown', 13, 'width', -0.6739, 0.7208),
+  ('unknown', 13, 'z_max', 1.337, 0.6509),
+  ('unknown', 13, 'z_min', 0.2986, 0.337);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 14, 0.02507, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 14, 'area_m2', -2.518, 0.2426),
-  ('unknown', 14, 'aspect', 0.4051, 0.2061),
-  ('unknown', 14, 'behind', 0.6481, 0.1809),
-  ('unknown', 14, 'edge_free', 0.3308, 0.138),
-  ('unknown', 14, 'edge_free_top', 0.5085, 0.2837),
-  ('unknown', 14, 'edge_joined', 0.3763, 0.2496),
-  ('unknown', 14, 'edge_unseen', 0.008513, 0.03567),
-  ('unknown', 14, 'height', 0.805, 0.1791),
-  ('unknown', 14, 'length', -0.8974, 0.1803),
-  ('unknown', 14, 'rectangularity', 0.6825, 0.05281),
-  ('unknown', 14, 'spread_length', -1.126, 0.1531),
-  ('unknown', 14, 'spread_width', -1.447, 0.1387),
-  ('unknown', 14, 'tilt_deg', 87.09, 7.048),
-  ('unknown', 14, 'width', -1.249, 0.1614),
-  ('unknown', 14, 'z_max', 0.9953, 0.2183),
-  ('unknown', 14, 'z_min', 0.6238, 0.2123);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 15, 0.01893, '');
+  ('unknown', 14, 'aspect', 1.552, 0.3118),
+  ('unknown', 14, 'behind', 0.5123, 0.3184),
+  ('unknown', 14, 'corner_offset', -0.1037, 0.04),
+  ('unknown', 14, 'edge_concave', 0.9712, 0.03673),
+  ('unknown', 14, 'edge_convex', 0.0004537, 0.03007),
+  ('unknown', 14, 'edge_free', 0.2461, 0.2404),
+  ('unknown', 14, 'edge_free_top', 0.01859, 0.05838),
+  ('unknown', 14, 'edge_unseen', 0.01564, 0.07087),
+  ('unknown', 14, 'headroom', 0.02054, 0.2267),
+  ('unknown', 14, 'height', 1.468, 0.1554),
+  ('unknown', 14, 'lift', -0.01626, 0.02588),
+  ('unknown', 14, 'rectangularity', 0.7708, 0.0636),
+  ('unknown', 14, 'spread_length', 0.01464, 0.2817),
+  ('unknown', 14, 'spread_width', -1.516, 0.3677),
+  ('unknown', 14, 'standoff', 0.5075, 0.2179),
+  ('unknown', 14, 'tilt_deg', 89.86, 0.6712),
+  ('unknown', 14, 'wall_offset', 0.9978, 0.7427),
+  ('unknown', 14, 'width', -1.383, 0.3127),
+  ('unknown', 14, 'z_max', 2.081, 0.2245),
+  ('unknown', 14, 'z_min', 0.8633, 0.1275);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 15, 0.02689, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 15, 'area_m2', -3.142, 0.4298),
-  ('unknown', 15, 'aspect', 0.444, 0.2474),
-  ('unknown', 15, 'behind', 0.5191, 0.1939),
-  ('unknown', 15, 'edge_free', 0.3648, 0.2654),
-  ('unknown', 15, 'edge_free_top', 0.493, 0.3965),
-  ('unknown', 15, 'edge_joined', 0.2173, 0.2229),
-  ('unknown', 15, 'edge_unseen', 0.1131, 0.1586),
-  ('unknown', 15, 'height', 0.2396, 0.08638),
-  ('unknown', 15, 'length', -1.136, 0.3053),
-  ('unknown', 15, 'rectangularity', 0.7289, 0.1108),
-  ('unknown', 15, 'spread_length', -1.332, 0.2709),
-  ('unknown', 15, 'spread_width', -1.865, 0.2409),
-  ('unknown', 15, 'tilt_deg', 86.88, 4.155),
-  ('unknown', 15, 'width', -1.638, 0.2303),
-  ('unknown', 15, 'z_max', 0.3805, 0.0697),
-  ('unknown', 15, 'z_min', 0.09091, 0.1007);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 16, 0.02109, '');
+  ('unknown', 15, 'aspect', 0.7606, 0.2327),
+  ('unknown', 15, 'behind', 0.2928, 0.1184),
+  ('unknown', 15, 'corner_offset', 1.593, 1.657),
+  ('unknown', 15, 'edge_concave', 0.458, 0.103),
+  ('unknown', 15, 'edge_convex', -0.0002692, 0.03),
+  ('unknown', 15, 'edge_free', 0.1564, 0.1636),
+  ('unknown', 15, 'edge_free_top', 0.3287, 0.3266),
+  ('unknown', 15, 'edge_unseen', 0.1619, 0.08149),
+  ('unknown', 15, 'headroom', 0.08437, 0.09403),
+  ('unknown', 15, 'height', 0.8006, 0.4013),
+  ('unknown', 15, 'lift', -0.004898, 0.02506),
+  ('unknown', 15, 'rectangularity', 0.6722, 0.08469),
+  ('unknown', 15, 'spread_length', -0.8946, 0.4958),
+  ('unknown', 15, 'spread_width', -1.58, 0.6099),
+  ('unknown', 15, 'standoff', 0.4789, 0.1776),
+  ('unknown', 15, 'tilt_deg', 87.67, 2.05),
+  ('unknown', 15, 'wall_offset', 2.612, 0.6055),
+  ('unknown', 15, 'width', -1.324, 0.5074),
+  ('unknown', 15, 'z_max', 1.069, 0.3294),
+  ('unknown', 15, 'z_min', 0.6291, 0.4367);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 16, 0.01773, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 16, 'area_m2', -1.394, 0.3852),
-  ('unknown', 16, 'aspect', 1.633, 0.2837),
-  ('unknown', 16, 'behind', 0.6541, 0.06472),
-  ('unknown', 16, 'edge_free', 0.1877, 0.2172),
-  ('unknown', 16, 'edge_free_top', 0.5651, 0.1306),
-  ('unknown', 16, 'edge_joined', 0.7004, 0.2402),
-  ('unknown', 16, 'edge_unseen', 0.02612, 0.04927),
-  ('unknown', 16, 'height', 2.161, 0.1662),
-  ('unknown', 16, 'length', 0.2715, 0.2288),
-  ('unknown', 16, 'rectangularity', 0.7545, 0.06189),
-  ('unknown', 16, 'spread_length', 0.1399, 0.2798),
-  ('unknown', 16, 'spread_width', -1.521, 0.2189),
-  ('unknown', 16, 'tilt_deg', 1.34, 2.031),
-  ('unknown', 16, 'width', -1.374, 0.2719),
-  ('unknown', 16, 'z_max', 2.174, 0.183),
-  ('unknown', 16, 'z_min', 2.161, 0.1719);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 17, 0.03119, '');
+  ('unknown', 16, 'aspect', 0.38, 0.2394),
+  ('unknown', 16, 'behind', 0.7031, 0.08755),
+  ('unknown', 16, 'corner_offset', 1.62, 0.6424),
+  ('unknown', 16, 'edge_concave', 0.5046, 0.114),
+  ('unknown', 16, 'edge_convex', 0.1304, 0.1559),
+  ('unknown', 16, 'edge_free', 0.5724, 0.1009),
+  ('unknown', 16, 'edge_free_top', 0.8736, 0.1454),
+  ('unknown', 16, 'edge_unseen', 0.001732, 0.03006),
+  ('unknown', 16, 'headroom', 2.399, 0.2957),
+  ('unknown', 16, 'height', 0.1896, 0.02258),
+  ('unknown', 16, 'lift', 0.1961, 0.1349),
+  ('unknown', 16, 'rectangularity', 0.7269, 0.1108),
+  ('unknown', 16, 'spread_length', -1.135, 0.1707),
+  ('unknown', 16, 'spread_width', -1.762, 0.1597),
+  ('unknown', 16, 'standoff', 0.6662, 0.2123),
+  ('unknown', 16, 'tilt_deg', 88.87, 1.927),
+  ('unknown', 16, 'wall_offset', 0.9574, 0.3483),
+  ('unknown', 16, 'width', -1.412, 0.3046),
+  ('unknown', 16, 'z_max', 0.3387, 0.03752),
+  ('unknown', 16, 'z_min', -0.01045, 0.02864);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 17, 0.01664, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 17, 'area_m2', -1.208, 0.3599),
-  ('unknown', 17, 'aspect', 0.4052, 0.3029),
-  ('unknown', 17, 'behind', 0.007292, 0.03),
-  ('unknown', 17, 'edge_free', 0.02836, 0.0538),
-  ('unknown', 17, 'edge_free_top', 0.03789, 0.07622),
-  ('unknown', 17, 'edge_joined', 0.9192, 0.08964),
-  ('unknown', 17, 'edge_unseen', -0.001954, 0.03),
-  ('unknown', 17, 'height', 1.652, 0.08637),
-  ('unknown', 17, 'length', -0.3227, 0.1687),
-  ('unknown', 17, 'rectangularity', 0.8186, 0.05156),
-  ('unknown', 17, 'spread_length', -0.4062, 0.1271),
-  ('unknown', 17, 'spread_width', -1.019, 0.2566),
-  ('unknown', 17, 'tilt_deg', 89.7, 1.155),
-  ('unknown', 17, 'width', -0.7455, 0.3329),
-  ('unknown', 17, 'z_max', 1.993, 0.1725),
-  ('unknown', 17, 'z_min', 1.341, 0.06528);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 18, 0.0375, '');
+  ('unknown', 17, 'aspect', 1.646, 0.3144),
+  ('unknown', 17, 'behind', 0.7092, 0.07201),
+  ('unknown', 17, 'corner_offset', -0.09734, 0.04),
+  ('unknown', 17, 'edge_concave', 0.9625, 0.03141),
+  ('unknown', 17, 'edge_convex', 0.000938, 0.03001),
+  ('unknown', 17, 'edge_free', 0.08498, 0.1283),
+  ('unknown', 17, 'edge_free_top', 0.5648, 0.1305),
+  ('unknown', 17, 'edge_unseen', 0.01839, 0.037),
+  ('unknown', 17, 'headroom', 1.153, 0.2468),
+  ('unknown', 17, 'height', 1.558, 0.6257),
+  ('unknown', 17, 'lift', 1.22, 0.1194),
+  ('unknown', 17, 'rectangularity', 0.7725, 0.05616),
+  ('unknown', 17, 'spread_length', 0.07576, 0.3742),
+  ('unknown', 17, 'spread_width', -1.488, 0.2306),
+  ('unknown', 17, 'standoff', 0.4535, 0.1261),
+  ('unknown', 17, 'tilt_deg', 1.02, 1.392),
+  ('unknown', 17, 'wall_offset', 0.7797, 0.7721),
+  ('unknown', 17, 'width', -1.401, 0.2073),
+  ('unknown', 17, 'z_max', 1.561, 0.6208),
+  ('unknown', 17, 'z_min', 1.506, 0.6641);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 18, 0.08859, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 18, 'area_m2', -1.056, 0.4078),
-  ('unknown', 18, 'aspect', 1.079, 0.2988),
-  ('unknown', 18, 'behind', 0.4919, 0.1975),
-  ('unknown', 18, 'edge_free', 0.5678, 0.1257),
-  ('unknown', 18, 'edge_free_top', 0.7624, 0.193),
-  ('unknown', 18, 'edge_joined', 0.1116, 0.1221),
-  ('unknown', 18, 'edge_unseen', 0.0119, 0.03523),
-  ('unknown', 18, 'height', 0.9088, 0.1019),
-  ('unknown', 18, 'length', 0.1012, 0.329),
-  ('unknown', 18, 'rectangularity', 0.6559, 0.1247),
-  ('unknown', 18, 'spread_length', 0.1248, 0.2804),
-  ('unknown', 18, 'spread_width', -1.01, 0.2266),
-  ('unknown', 18, 'tilt_deg', 88.77, 2.285),
-  ('unknown', 18, 'width', -0.7811, 0.1767),
-  ('unknown', 18, 'z_max', 1.181, 0.1491),
-  ('unknown', 18, 'z_min', 0.6299, 0.1257);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 19, 0.01873, '');
+  ('unknown', 18, 'aspect', 0.6505, 0.4127),
+  ('unknown', 18, 'behind', 0.4031, 0.1459),
+  ('unknown', 18, 'corner_offset', 1.472, 0.8439),
+  ('unknown', 18, 'edge_concave', 0.4003, 0.2151),
+  ('unknown', 18, 'edge_convex', 0.03231, 0.1065),
+  ('unknown', 18, 'edge_free', 0.6183, 0.2175),
+  ('unknown', 18, 'edge_free_top', 0.6885, 0.2826),
+  ('unknown', 18, 'edge_unseen', 0.006966, 0.03011),
+  ('unknown', 18, 'headroom', 1.382, 1.038),
+  ('unknown', 18, 'height', 0.6057, 0.2872),
+  ('unknown', 18, 'lift', -0.03427, 0.03563),
+  ('unknown', 18, 'rectangularity', 0.6592, 0.1217),
+  ('unknown', 18, 'spread_length', -0.2598, 0.6581),
+  ('unknown', 18, 'spread_width', -1.046, 0.7056),
+  ('unknown', 18, 'standoff', 0.1517, 0.0409),
+  ('unknown', 18, 'tilt_deg', 88.47, 1.742),
+  ('unknown', 18, 'wall_offset', 0.1991, 0.05858),
+  ('unknown', 18, 'width', -0.8361, 0.6822),
+  ('unknown', 18, 'z_max', 0.8227, 0.299),
+  ('unknown', 18, 'z_min', 0.3205, 0.2553);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 19, 0.02737, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 19, 'area_m2', -2.32, 0.4397),
-  ('unknown', 19, 'aspect', 0.4917, 0.2235),
-  ('unknown', 19, 'behind', 0.7315, 0.08269),
-  ('unknown', 19, 'edge_free', 0.6833, 0.1919),
-  ('unknown', 19, 'edge_free_top', 0.5646, 0.1302),
-  ('unknown', 19, 'edge_joined', 0.2842, 0.1063),
-  ('unknown', 19, 'edge_unseen', 0.002205, 0.03),
-  ('unknown', 19, 'height', 0.3784, 0.1236),
-  ('unknown', 19, 'length', -0.8193, 0.2342),
-  ('unknown', 19, 'rectangularity', 0.7978, 0.1045),
-  ('unknown', 19, 'spread_length', -0.9592, 0.1433),
-  ('unknown', 19, 'spread_width', -1.528, 0.1306),
-  ('unknown', 19, 'tilt_deg', 0.8125, 1.748),
-  ('unknown', 19, 'width', -1.271, 0.3246),
-  ('unknown', 19, 'z_max', 0.3493, 0.0832),
-  ('unknown', 19, 'z_min', 0.3441, 0.07183);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 20, 0.02313, '');
+  ('unknown', 19, 'aspect', 0.3758, 0.3986),
+  ('unknown', 19, 'behind', 0.3409, 0.1439),
+  ('unknown', 19, 'corner_offset', 1.443, 0.7783),
+  ('unknown', 19, 'edge_concave', 0.391, 0.235),
+  ('unknown', 19, 'edge_convex', 0.08977, 0.1493),
+  ('unknown', 19, 'edge_free', 0.5768, 0.1627),
+  ('unknown', 19, 'edge_free_top', 0.907, 0.1273),
+  ('unknown', 19, 'edge_unseen', 0.006218, 0.03001),
+  ('unknown', 19, 'headroom', 0.8092, 0.6687),
+  ('unknown', 19, 'height', 1.269, 0.1334),
+  ('unknown', 19, 'lift', 0.2328, 0.2407),
+  ('unknown', 19, 'rectangularity', 0.7662, 0.07841),
+  ('unknown', 19, 'spread_length', -1.188, 0.3917),
+  ('unknown', 19, 'spread_width', -1.516, 0.5392),
+  ('unknown', 19, 'standoff', 0.326, 0.08108),
+  ('unknown', 19, 'tilt_deg', 89.1, 0.7804),
+  ('unknown', 19, 'wall_offset', 0.333, 0.1431),
+  ('unknown', 19, 'width', -1.337, 0.6164),
+  ('unknown', 19, 'z_max', 1.515, 0.2024),
+  ('unknown', 19, 'z_min', 1.02, 0.1282);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 20, 0.04778, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 20, 'area_m2', -3.004, 0.3725),
-  ('unknown', 20, 'aspect', 0.3234, 0.2195),
-  ('unknown', 20, 'behind', 0.4351, 0.2237),
-  ('unknown', 20, 'edge_free', 0.6666, 0.1099),
-  ('unknown', 20, 'edge_free_top', 0.9865, 0.0355),
-  ('unknown', 20, 'edge_joined', 0.03802, 0.05741),
-  ('unknown', 20, 'edge_unseen', 0.004514, 0.03),
-  ('unknown', 20, 'height', 1.436, 0.3906),
-  ('unknown', 20, 'length', -1.214, 0.2511),
-  ('unknown', 20, 'rectangularity', 0.7629, 0.1232),
-  ('unknown', 20, 'spread_length', -1.345, 0.1793),
-  ('unknown', 20, 'spread_width', -1.661, 0.1824),
-  ('unknown', 20, 'tilt_deg', 89.33, 1.396),
-  ('unknown', 20, 'width', -1.506, 0.2405),
-  ('unknown', 20, 'z_max', 1.556, 0.3883),
-  ('unknown', 20, 'z_min', 1.277, 0.3583);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 21, 0.02209, '');
+  ('unknown', 20, 'aspect', 0.6303, 0.4187),
+  ('unknown', 20, 'behind', 0.7449, 0.07127),
+  ('unknown', 20, 'corner_offset', 0.2037, 0.07721),
+  ('unknown', 20, 'edge_concave', 0.3892, 0.1843),
+  ('unknown', 20, 'edge_convex', 0.08499, 0.163),
+  ('unknown', 20, 'edge_free', 0.2881, 0.09695),
+  ('unknown', 20, 'edge_free_top', 0.5591, 0.1173),
+  ('unknown', 20, 'edge_unseen', 0.03483, 0.06086),
+  ('unknown', 20, 'headroom', 1.051, 0.8543),
+  ('unknown', 20, 'height', 1.002, 0.3893),
+  ('unknown', 20, 'lift', 0.3665, 0.219),
+  ('unknown', 20, 'rectangularity', 0.6453, 0.1163),
+  ('unknown', 20, 'spread_length', -0.2957, 0.3359),
+  ('unknown', 20, 'spread_width', -1.012, 0.3786),
+  ('unknown', 20, 'standoff', 0.4386, 0.1021),
+  ('unknown', 20, 'tilt_deg', 5.432, 1.522),
+  ('unknown', 20, 'wall_offset', 0.7828, 0.7185),
+  ('unknown', 20, 'width', -0.9275, 0.3002),
+  ('unknown', 20, 'z_max', 1.025, 0.3759),
+  ('unknown', 20, 'z_min', 1.016, 0.3638);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 21, 0.02161, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 21, 'area_m2', -0.5467, 0.3623),
-  ('unknown', 21, 'aspect', 0.2927, 0.1954),
-  ('unknown', 21, 'behind', 0.4533, 0.1345),
-  ('unknown', 21, 'edge_free', 0.7284, 0.1502),
-  ('unknown', 21, 'edge_free_top', 0.9114, 0.1234),
-  ('unknown', 21, 'edge_joined', 0.1138, 0.1189),
-  ('unknown', 21, 'edge_unseen', 0.07139, 0.08557),
-  ('unknown', 21, 'height', 0.5232, 0.08857),
-  ('unknown', 21, 'length', 0.04574, 0.2213),
-  ('unknown', 21, 'rectangularity', 0.7541, 0.07256),
-  ('unknown', 21, 'spread_length', -0.07874, 0.2229),
-  ('unknown', 21, 'spread_width', -0.5067, 0.2135),
-  ('unknown', 21, 'tilt_deg', 80.79, 3.643),
-  ('unknown', 21, 'width', -0.2688, 0.1932),
-  ('unknown', 21, 'z_max', 0.9231, 0.2144),
-  ('unknown', 21, 'z_min', 0.02831, 0.07167);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 22, 0.02183, '');
+  ('unknown', 21, 'aspect', 1.002, 0.4616),
+  ('unknown', 21, 'behind', 0.1857, 0.2458),
+  ('unknown', 21, 'corner_offset', 0.8329, 0.5179),
+  ('unknown', 21, 'edge_concave', 0.002967, 0.03),
+  ('unknown', 21, 'edge_convex', 0.1797, 0.2243),
+  ('unknown', 21, 'edge_free', 0.9787, 0.04625),
+  ('unknown', 21, 'edge_free_top', 0.5655, 0.131),
+  ('unknown', 21, 'edge_unseen', 0.1788, 0.1298),
+  ('unknown', 21, 'headroom', 0.2935, 0.1233),
+  ('unknown', 21, 'height', 2.609, 0.299),
+  ('unknown', 21, 'lift', 1.988, 0.3797),
+  ('unknown', 21, 'rectangularity', 0.7682, 0.1011),
+  ('unknown', 21, 'spread_length', -0.59, 0.5006),
+  ('unknown', 21, 'spread_width', -1.632, 0.09449),
+  ('unknown', 21, 'standoff', 0.4538, 0.1264),
+  ('unknown', 21, 'tilt_deg', 1.487, 1.553),
+  ('unknown', 21, 'wall_offset', 0.8149, 0.7856),
+  ('unknown', 21, 'width', -1.505, 0.09347),
+  ('unknown', 21, 'z_max', 2.624, 0.3035),
+  ('unknown', 21, 'z_min', 2.622, 0.2966);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 22, 0.01856, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 22, 'area_m2', -2.946, 0.2936),
-  ('unknown', 22, 'aspect', 0.9956, 0.2333),
-  ('unknown', 22, 'behind', 0.5216, 0.2602),
-  ('unknown', 22, 'edge_free', 0.6322, 0.2232),
-  ('unknown', 22, 'edge_free_top', 0.4804, 0.3936),
-  ('unknown', 22, 'edge_joined', 0.1069, 0.1372),
-  ('unknown', 22, 'edge_unseen', 0.004691, 0.03044),
-  ('unknown', 22, 'height', 0.4369, 0.1228),
-  ('unknown', 22, 'length', -0.7197, 0.1993),
-  ('unknown', 22, 'rectangularity', 0.655, 0.1517),
-  ('unknown', 22, 'spread_length', -0.8482, 0.2838),
-  ('unknown', 22, 'spread_width', -2.116, 0.3127),
-  ('unknown', 22, 'tilt_deg', 87.47, 2.801),
-  ('unknown', 22, 'width', -1.748, 0.3368),
-  ('unknown', 22, 'z_max', 0.6249, 0.1348),
-  ('unknown', 22, 'z_min', 0.283, 0.152);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 23, 0.02288, '');
+  ('unknown', 22, 'aspect', 0.617, 0.231),
+  ('unknown', 22, 'behind', 0.7475, 0.04403),
+  ('unknown', 22, 'corner_offset', 0.1663, 0.04011),
+  ('unknown', 22, 'edge_concave', 0.567, 0.2105),
+  ('unknown', 22, 'edge_convex', 0.0006866, 0.03),
+  ('unknown', 22, 'edge_free', 0.3341, 0.1459),
+  ('unknown', 22, 'edge_free_top', 0.3854, 0.172),
+  ('unknown', 22, 'edge_unseen', 0.002685, 0.03),
+  ('unknown', 22, 'headroom', 0.4662, 0.5122),
+  ('unknown', 22, 'height', 0.8181, 0.2094),
+  ('unknown', 22, 'lift', -0.02283, 0.0481),
+  ('unknown', 22, 'rectangularity', 0.6836, 0.05551),
+  ('unknown', 22, 'spread_length', -1.057, 0.1786),
+  ('unknown', 22, 'spread_width', -1.402, 0.1328),
+  ('unknown', 22, 'standoff', 0.3344, 0.1512),
+  ('unknown', 22, 'tilt_deg', 86.93, 5.106),
+  ('unknown', 22, 'wall_offset', 1.551, 0.9049),
+  ('unknown', 22, 'width', -1.227, 0.2491),
+  ('unknown', 22, 'z_max', 1.097, 0.2513),
+  ('unknown', 22, 'z_min', 0.6029, 0.2482);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 23, 0.02782, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 23, 'area_m2', -0.3452, 0.2527),
-  ('unknown', 23, 'aspect', 0.5258, 0.2132),
-  ('unknown', 23, 'behind', 0.451, 0.05667),
-  ('unknown', 23, 'edge_free', 0.917, 0.0918),
-  ('unknown', 23, 'edge_free_top', 0.9921, 0.03223),
-  ('unknown', 23, 'edge_joined', 0.02348, 0.03853),
-  ('unknown', 23, 'edge_unseen', 0.0004134, 0.03),
-  ('unknown', 23, 'height', 0.4864, 0.03417),
-  ('unknown', 23, 'length', 0.1283, 0.2155),
-  ('unknown', 23, 'rectangularity', 0.8721, 0.06735),
-  ('unknown', 23, 'spread_length', 0.09662, 0.2309),
-  ('unknown', 23, 'spread_width', -0.4619, 0.075),
-  ('unknown', 23, 'tilt_deg', 89.75, 1.367),
-  ('unknown', 23, 'width', -0.3616, 0.1271),
-  ('unknown', 23, 'z_max', 0.7767, 0.06287),
-  ('unknown', 23, 'z_min', 0.09291, 0.04595);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 24, 0.01197, '');
+  ('unknown', 23, 'aspect', 0.5169, 0.2045),
+  ('unknown', 23, 'behind', 0.7215, 0.05677),
+  ('unknown', 23, 'corner_offset', 0.1961, 0.1383),
+  ('unknown', 23, 'edge_concave', 0.6448, 0.1577),
+  ('unknown', 23, 'edge_convex', 0.09333, 0.09123),
+  ('unknown', 23, 'edge_free', 0.3953, 0.1131),
+  ('unknown', 23, 'edge_free_top', 0.6152, 0.1634),
+  ('unknown', 23, 'edge_unseen', 0.00402, 0.03),
+  ('unknown', 23, 'headroom', 0.7403, 0.5498),
+  ('unknown', 23, 'height', 1.44, 0.3129),
+  ('unknown', 23, 'lift', 0.233, 0.2584),
+  ('unknown', 23, 'rectangularity', 0.6355, 0.06037),
+  ('unknown', 23, 'spread_length', -0.9708, 0.2798),
+  ('unknown', 23, 'spread_width', -1.377, 0.1869),
+  ('unknown', 23, 'standoff', 0.4596, 0.3099),
+  ('unknown', 23, 'tilt_deg', 88.95, 1.54),
+  ('unknown', 23, 'wall_offset', 1.373, 0.4046),
+  ('unknown', 23, 'width', -1.167, 0.2573),
+  ('unknown', 23, 'z_max', 1.611, 0.3284),
+  ('unknown', 23, 'z_min', 1.167, 0.2493);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 24, 0.01603, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 24, 'area_m2', -3.308, 0.3798),
-  ('unknown', 24, 'aspect', 0.6325, 0.3684),
-  ('unknown', 24, 'behind', 0.5705, 0.2431),
-  ('unknown', 24, 'edge_free', 0.384, 0.1811),
-  ('unknown', 24, 'edge_free_top', 0.555, 0.3432),
-  ('unknown', 24, 'edge_joined', 0.3518, 0.2703),
-  ('unknown', 24, 'edge_unseen', 0.003731, 0.03),
-  ('unknown', 24, 'height', 1.226, 0.4071),
-  ('unknown', 24, 'length', -1.193, 0.2658),
-  ('unknown', 24, 'rectangularity', 0.7079, 0.1298),
-  ('unknown', 24, 'spread_length', -1.347, 0.1852),
-  ('unknown', 24, 'spread_width', -1.931, 0.2705),
-  ('unknown', 24, 'tilt_deg', 88.28, 2.958),
-  ('unknown', 24, 'width', -1.771, 0.2901),
-  ('unknown', 24, 'z_max', 1.376, 0.4005),
-  ('unknown', 24, 'z_min', 1.106, 0.35);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 25, 0.03567, '');
+  ('unknown', 24, 'aspect', 0.7303, 0.2988),
+  ('unknown', 24, 'behind', 0.2434, 0.2202),
+  ('unknown', 24, 'corner_offset', 0.8206, 0.6238),
+  ('unknown', 24, 'edge_concave', 0.2557, 0.2892),
+  ('unknown', 24, 'edge_convex', 0.0006712, 0.03),
+  ('unknown', 24, 'edge_free', 0.502, 0.1695),
+  ('unknown', 24, 'edge_free_top', 0.6108, 0.3817),
+  ('unknown', 24, 'edge_unseen', 0.09031, 0.138),
+  ('unknown', 24, 'headroom', 0.8325, 0.2426),
+  ('unknown', 24, 'height', 0.1433, 0.1009),
+  ('unknown', 24, 'lift', 0.1172, 0.1238),
+  ('unknown', 24, 'rectangularity', 0.7744, 0.09517),
+  ('unknown', 24, 'spread_length', -1.364, 0.3901),
+  ('unknown', 24, 'spread_width', -2.114, 0.4186),
+  ('unknown', 24, 'standoff', 0.3966, 0.2249),
+  ('unknown', 24, 'tilt_deg', 21.47, 21.35),
+  ('unknown', 24, 'wall_offset', 1.249, 0.4348),
+  ('unknown', 24, 'width', -1.886, 0.4412),
+  ('unknown', 24, 'z_max', 0.1689, 0.1342),
+  ('unknown', 24, 'z_min', 0.06924, 0.0653);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 25, 0.02479, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 25, 'area_m2', 3.103, 0.9584),
-  ('unknown', 25, 'aspect', 0.9371, 0.7815),
-  ('unknown', 25, 'behind', 0.002889, 0.03),
-  ('unknown', 25, 'edge_free', 0.01036, 0.03),
-  ('unknown', 25, 'edge_free_top', 0.01246, 0.03387),
-  ('unknown', 25, 'edge_joined', 0.1156, 0.1664),
-  ('unknown', 25, 'edge_unseen', 0.1193, 0.1467),
-  ('unknown', 25, 'height', 2.202, 1.311),
-  ('unknown', 25, 'length', 2.062, 0.2997),
-  ('unknown', 25, 'rectangularity', 0.8059, 0.1408),
-  ('unknown', 25, 'spread_length', 1.912, 0.2932),
-  ('unknown', 25, 'spread_width', 1.143, 0.7236),
-  ('unknown', 25, 'tilt_deg', 89.84, 1.051),
-  ('unknown', 25, 'width', 1.175, 0.7931),
-  ('unknown', 25, 'z_max', 5.813, 2.786),
-  ('unknown', 25, 'z_min', -1.19, 1.281);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 26, 0.02047, '');
+  ('unknown', 25, 'aspect', 0.2805, 0.2165),
+  ('unknown', 25, 'behind', 0.3911, 0.3048),
+  ('unknown', 25, 'corner_offset', 0.7158, 0.4669),
+  ('unknown', 25, 'edge_concave', 0.001831, 0.03),
+  ('unknown', 25, 'edge_convex', 0.3329, 0.2811),
+  ('unknown', 25, 'edge_free', 0.69, 0.1665),
+  ('unknown', 25, 'edge_free_top', 0.5636, 0.115),
+  ('unknown', 25, 'edge_unseen', 0.005122, 0.03),
+  ('unknown', 25, 'headroom', 1.918, 0.3187),
+  ('unknown', 25, 'height', 0.8804, 0.1702),
+  ('unknown', 25, 'lift', 0.2037, 0.06931),
+  ('unknown', 25, 'rectangularity', 0.842, 0.08479),
+  ('unknown', 25, 'spread_length', -1.176, 0.1847),
+  ('unknown', 25, 'spread_width', -1.467, 0.2827),
+  ('unknown', 25, 'standoff', 0.4464, 0.1464),
+  ('unknown', 25, 'tilt_deg', 0.7176, 0.946),
+  ('unknown', 25, 'wall_offset', 0.8894, 0.6908),
+  ('unknown', 25, 'width', -1.392, 0.3468),
+  ('unknown', 25, 'z_max', 0.8607, 0.1456),
+  ('unknown', 25, 'z_min', 0.8924, 0.1679);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 26, 0.01236, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 26, 'area_m2', -2.08, 0.5345),
-  ('unknown', 26, 'aspect', 1.069, 0.4279),
-  ('unknown', 26, 'behind', 0.2482, 0.2746),
-  ('unknown', 26, 'edge_free', 0.9869, 0.03035),
-  ('unknown', 26, 'edge_free_top', 0.5653, 0.1313),
-  ('unknown', 26, 'edge_joined', 0.01111, 0.03),
-  ('unknown', 26, 'edge_unseen', 0.2187, 0.1196),
-  ('unknown', 26, 'height', 2.521, 0.2573),
-  ('unknown', 26, 'length', -0.3583, 0.4682),
-  ('unknown', 26, 'rectangularity', 0.7837, 0.09661),
-  ('unknown', 26, 'spread_length', -0.5156, 0.4846),
-  ('unknown', 26, 'spread_width', -1.614, 0.08887),
-  ('unknown', 26, 'tilt_deg', 1.36, 1.901),
-  ('unknown', 26, 'width', -1.495, 0.09294),
-  ('unknown', 26, 'z_max', 2.557, 0.2544),
-  ('unknown', 26, 'z_min', 2.545, 0.2467);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 27, 0.02247, '');
+  ('unknown', 26, 'aspect', 1.19, 0.5513),
+  ('unknown', 26, 'behind', 0.5392, 0.1599),
+  ('unknown', 26, 'corner_offset', 0.2037, 0.6202),
+  ('unknown', 26, 'edge_concave', 0.6628, 0.1716),
+  ('unknown', 26, 'edge_convex', 0.04368, 0.128),
+  ('unknown', 26, 'edge_free', 0.3104, 0.239),
+  ('unknown', 26, 'edge_free_top', 0.5673, 0.1334),
+  ('unknown', 26, 'edge_unseen', 0.1419, 0.1539),
+  ('unknown', 26, 'headroom', 0.4348, 0.1806),
+  ('unknown', 26, 'height', 2.179, 0.1575),
+  ('unknown', 26, 'lift', 1.26, 0.1983),
+  ('unknown', 26, 'rectangularity', 0.6882, 0.1033),
+  ('unknown', 26, 'spread_length', -0.56, 0.5793),
+  ('unknown', 26, 'spread_width', -1.674, 0.2702),
+  ('unknown', 26, 'standoff', 0.4538, 0.1263),
+  ('unknown', 26, 'tilt_deg', 2.529, 2.917),
+  ('unknown', 26, 'wall_offset', 0.9227, 0.7506),
+  ('unknown', 26, 'width', -1.499, 0.2782),
+  ('unknown', 26, 'z_max', 2.186, 0.1575),
+  ('unknown', 26, 'z_min', 2.181, 0.1402);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 27, 0.02099, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 27, 'area_m2', -3.728, 0.3515),
-  ('unknown', 27, 'aspect', 0.2687, 0.255),
-  ('unknown', 27, 'behind', 0.2677, 0.2108),
-  ('unknown', 27, 'edge_free', 0.3496, 0.348),
-  ('unknown', 27, 'edge_free_top', 0.5655, 0.1305),
-  ('unknown', 27, 'edge_joined', 0.576, 0.3302),
-  ('unknown', 27, 'edge_unseen', 0.0007414, 0.03),
-  ('unknown', 27, 'height', 0.7873, 0.07097),
-  ('unknown', 27, 'length', -1.6, 0.1876),
-  ('unknown', 27, 'rectangularity', 0.7606, 0.05337),
-  ('unknown', 27, 'spread_length', -1.725, 0.1825),
-  ('unknown', 27, 'spread_width', -1.97, 0.1982),
-  ('unknown', 27, 'tilt_deg', 5.613, 7.358),
-  ('unknown', 27, 'width', -1.866, 0.1864),
-  ('unknown', 27, 'z_max', 0.7891, 0.06756),
-  ('unknown', 27, 'z_min', 0.7728, 0.06591);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 28, 0.007795, '');
+  ('unknown', 27, 'aspect', 0.7776, 0.7699),
+  ('unknown', 27, 'behind', 0.002156, 0.03),
+  ('unknown', 27, 'corner_offset', -2.953, 3.999),
+  ('unknown', 27, 'edge_concave', -0.001211, 0.03),
+  ('unknown', 27, 'edge_convex', 0.0004574, 0.03),
+  ('unknown', 27, 'edge_free', 0.004998, 0.03),
+  ('unknown', 27, 'edge_free_top', 0.006859, 0.03),
+  ('unknown', 27, 'edge_unseen', 0.1215, 0.1248),
+  ('unknown', 27, 'headroom', 0.8345, 0.2432),
+  ('unknown', 27, 'height', 2.038, 0.9617),
+  ('unknown', 27, 'lift', 0.1979, 0.1346),
+  ('unknown', 27, 'rectangularity', 0.8166, 0.144),
+  ('unknown', 27, 'spread_length', 1.754, 0.4791),
+  ('unknown', 27, 'spread_width', 1.013, 0.6747),
+  ('unknown', 27, 'standoff', 0.4539, 0.1262),
+  ('unknown', 27, 'tilt_deg', 89.89, 0.7791),
+  ('unknown', 27, 'wall_offset', -12.21, 5.03),
+  ('unknown', 27, 'width', 1.053, 0.7497),
+  ('unknown', 27, 'z_max', 5.191, 2.535),
+  ('unknown', 27, 'z_min', -0.7174, 1.417);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 28, 0.02051, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 28, 'area_m2', -2.4, 0.4712),
-  ('unknown', 28, 'aspect', 0.4511, 0.3636),
-  ('unknown', 28, 'behind', 0.01055, 0.03635),
-  ('unknown', 28, 'edge_free', 0.01758, 0.03),
-  ('unknown', 28, 'edge_free_top', 0.02776, 0.05962),
-  ('unknown', 28, 'edge_joined', 0.8391, 0.1932),
-  ('unknown', 28, 'edge_unseen', 0.1115, 0.108),
-  ('unknown', 28, 'height', 1.638, 0.1948),
-  ('unknown', 28, 'length', -0.815, 0.2928),
-  ('unknown', 28, 'rectangularity', 0.7694, 0.07226),
-  ('unknown', 28, 'spread_length', -0.9864, 0.3287),
-  ('unknown', 28, 'spread_width', -1.528, 0.2247),
-  ('unknown', 28, 'tilt_deg', 89.46, 2.151),
-  ('unknown', 28, 'width', -1.305, 0.2396),
-  ('unknown', 28, 'z_max', 1.876, 0.1849),
-  ('unknown', 28, 'z_min', 1.445, 0.2206);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 29, 0.02266, '');
+  ('unknown', 28, 'aspect', 0.4522, 0.2455),
+  ('unknown', 28, 'behind', 0.5706, 0.1886),
+  ('unknown', 28, 'corner_offset', 1.616, 0.611),
+  ('unknown', 28, 'edge_concave', 0.4474, 0.1073),
+  ('unknown', 28, 'edge_convex', 0.006958, 0.03107),
+  ('unknown', 28, 'edge_free', 0.6368, 0.1338),
+  ('unknown', 28, 'edge_free_top', 0.9746, 0.05687),
+  ('unknown', 28, 'edge_unseen', 0.005492, 0.03113),
+  ('unknown', 28, 'headroom', 1.869, 0.2729),
+  ('unknown', 28, 'height', 0.8581, 0.04643),
+  ('unknown', 28, 'lift', -0.009417, 0.03494),
+  ('unknown', 28, 'rectangularity', 0.7068, 0.1063),
+  ('unknown', 28, 'spread_length', -1.311, 0.1327),
+  ('unknown', 28, 'spread_width', -1.501, 0.06427),
+  ('unknown', 28, 'standoff', 0.4798, 0.2948),
+  ('unknown', 28, 'tilt_deg', 74.82, 2.93),
+  ('unknown', 28, 'wall_offset', 1.077, 0.909),
+  ('unknown', 28, 'width', -1.384, 0.1188),
+  ('unknown', 28, 'z_max', 0.9661, 0.05393),
+  ('unknown', 28, 'z_min', 0.724, 0.07599);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 29, 0.0127, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 29, 'area_m2', -1.426, 0.3855),
-  ('unknown', 29, 'aspect', 1.659, 0.3105),
-  ('unknown', 29, 'behind', 0.7063, 0.09926),
-  ('unknown', 29, 'edge_free', 0.01969, 0.03781),
-  ('unknown', 29, 'edge_free_top', 0.565, 0.1308),
-  ('unknown', 29, 'edge_joined', 0.9154, 0.1046),
-  ('unknown', 29, 'edge_unseen', 0.02702, 0.05619),
-  ('unknown', 29, 'height', 0.8821, 0.08527),
-  ('unknown', 29, 'length', 0.2737, 0.2486),
-  ('unknown', 29, 'rectangularity', 0.7638, 0.06826),
-  ('unknown', 29, 'spread_length', 0.1059, 0.2839),
-  ('unknown', 29, 'spread_width', -1.535, 0.2489),
-  ('unknown', 29, 'tilt_deg', 1.451, 1.867),
-  ('unknown', 29, 'width', -1.453, 0.2043),
-  ('unknown', 29, 'z_max', 0.8857, 0.08353),
-  ('unknown', 29, 'z_min', 0.8738, 0.08923);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 30, 0.02078, '');
+  ('unknown', 29, 'aspect', 0.4774, 0.1081),
+  ('unknown', 29, 'behind', 0.05901, 0.07062),
+  ('unknown', 29, 'corner_offset', 1.506, 1.146),
+  ('unknown', 29, 'edge_concave', 0.01786, 0.04587),
+  ('unknown', 29, 'edge_convex', 0.005436, 0.03872),
+  ('unknown', 29, 'edge_free', 0.8818, 0.1264),
+  ('unknown', 29, 'edge_free_top', 0.717, 0.3748),
+  ('unknown', 29, 'edge_unseen', 0.1073, 0.1277),
+  ('unknown', 29, 'headroom', 0.7611, 0.3298),
+  ('unknown', 29, 'height', 1.624, 0.07603),
+  ('unknown', 29, 'lift', 0.5861, 0.1873),
+  ('unknown', 29, 'rectangularity', 0.8423, 0.08668),
+  ('unknown', 29, 'spread_length', -0.3259, 0.3535),
+  ('unknown', 29, 'spread_width', -0.7515, 0.275),
+  ('unknown', 29, 'standoff', 0.06121, 0.02907),
+  ('unknown', 29, 'tilt_deg', 89.55, 1.78),
+  ('unknown', 29, 'wall_offset', 1.95, 1.999),
+  ('unknown', 29, 'width', -0.5423, 0.2303),
+  ('unknown', 29, 'z_max', 1.984, 0.1378),
+  ('unknown', 29, 'z_min', 1.358, 0.07599);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 30, 0.01606, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 30, 'area_m2', 1.943, 0.6073),
-  ('unknown', 30, 'aspect', 0.3362, 0.252),
-  ('unknown', 30, 'behind', 0.008007, 0.03305),
-  ('unknown', 30, 'edge_free', 0.005607, 0.03),
-  ('unknown', 30, 'edge_free_top', 0.007833, 0.03),
-  ('unknown', 30, 'edge_joined', 0.07463, 0.1446),
-  ('unknown', 30, 'edge_unseen', 0.02914, 0.06926),
-  ('unknown', 30, 'height', 1.443, 0.6922),
-  ('unknown', 30, 'length', 1.308, 0.3381),
-  ('unknown', 30, 'rectangularity', 0.8841, 0.124),
-  ('unknown', 30, 'spread_length', 1.333, 0.3011),
-  ('unknown', 30, 'spread_width', 0.8543, 0.3472),
-  ('unknown', 30, 'tilt_deg', 89.59, 1.473),
-  ('unknown', 30, 'width', 0.8251, 0.3826),
-  ('unknown', 30, 'z_max', 3.096, 1.286),
-  ('unknown', 30, 'z_min', -0.277, 0.775);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 31, 0.01342, '');
+  ('unknown', 30, 'aspect', 0.4449, 0.3093),
+  ('unknown', 30, 'behind', 0.511, 0.2495),
+  ('unknown', 30, 'corner_offset', 0.8765, 0.8099),
+  ('unknown', 30, 'edge_concave', 0.2855, 0.2126),
+  ('unknown', 30, 'edge_convex', 0.1912, 0.19),
+  ('unknown', 30, 'edge_free', 0.599, 0.1658),
+  ('unknown', 30, 'edge_free_top', 0.9507, 0.09399),
+  ('unknown', 30, 'edge_unseen', 0.001635, 0.03),
+  ('unknown', 30, 'headroom', 0.6677, 0.2852),
+  ('unknown', 30, 'height', 1.895, 0.153),
+  ('unknown', 30, 'lift', 0.061, 0.1291),
+  ('unknown', 30, 'rectangularity', 0.7177, 0.1844),
+  ('unknown', 30, 'spread_length', -1.327, 0.2818),
+  ('unknown', 30, 'spread_width', -1.713, 0.2668),
+  ('unknown', 30, 'standoff', 0.5385, 0.2377),
+  ('unknown', 30, 'tilt_deg', 89.25, 1.414),
+  ('unknown', 30, 'wall_offset', 1.1, 1.045),
+  ('unknown', 30, 'width', -1.492, 0.2648),
+  ('unknown', 30, 'z_max', 2.04, 0.1672),
+  ('unknown', 30, 'z_min', 1.71, 0.1494);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 31, 0.01306, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 31, 'area_m2', -1.854, 0.3105),
-  ('unknown', 31, 'aspect', 0.1904, 0.1481),
-  ('unknown', 31, 'behind', 0.2833, 0.1226),
-  ('unknown', 31, 'edge_free', 0.8115, 0.1248),
-  ('unknown', 31, 'edge_free_top', 0.565, 0.1307),
-  ('unknown', 31, 'edge_joined', 0.01584, 0.03097),
-  ('unknown', 31, 'edge_unseen', 0.03229, 0.09183),
-  ('unknown', 31, 'height', 0.1127, 0.04887),
-  ('unknown', 31, 'length', -0.5748, 0.1577),
-  ('unknown', 31, 'rectangularity', 0.6029, 0.08004),
-  ('unknown', 31, 'spread_length', -0.7821, 0.09946),
-  ('unknown', 31, 'spread_width', -1.007, 0.1584),
-  ('unknown', 31, 'tilt_deg', 1.137, 2.144),
-  ('unknown', 31, 'width', -0.776, 0.234),
-  ('unknown', 31, 'z_max', 0.1165, 0.05421),
-  ('unknown', 31, 'z_min', 0.1065, 0.04389);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 32, 0.008669, '');
+  ('unknown', 31, 'aspect', 0.4641, 0.3293),
+  ('unknown', 31, 'behind', 0.33, 0.2385),
+  ('unknown', 31, 'corner_offset', 0.982, 0.7324),
+  ('unknown', 31, 'edge_concave', 0.1092, 0.1616),
+  ('unknown', 31, 'edge_convex', 0.0007587, 0.03),
+  ('unknown', 31, 'edge_free', 0.5138, 0.3085),
+  ('unknown', 31, 'edge_free_top', 0.5378, 0.4309),
+  ('unknown', 31, 'edge_unseen', 0.002055, 0.03),
+  ('unknown', 31, 'headroom', 1.465, 0.8455),
+  ('unknown', 31, 'height', 0.8777, 0.2051),
+  ('unknown', 31, 'lift', 0.1778, 0.1658),
+  ('unknown', 31, 'rectangularity', 0.7263, 0.1074),
+  ('unknown', 31, 'spread_length', -1.68, 0.2576),
+  ('unknown', 31, 'spread_width', -2.196, 0.2865),
+  ('unknown', 31, 'standoff', 0.05419, 0.06826),
+  ('unknown', 31, 'tilt_deg', 25.59, 16.21),
+  ('unknown', 31, 'wall_offset', 1.549, 3.574),
+  ('unknown', 31, 'width', -2.043, 0.2905),
+  ('unknown', 31, 'z_max', 0.8991, 0.1944),
+  ('unknown', 31, 'z_min', 0.8437, 0.2054);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 32, 0.008454, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 32, 'area_m2', -2.461, 0.6709),
-  ('unknown', 32, 'aspect', 0.9834, 0.4386),
-  ('unknown', 32, 'behind', 0.511, 0.19),
-  ('unknown', 32, 'edge_free', 0.3539, 0.2965),
-  ('unknown', 32, 'edge_free_top', 0.5664, 0.1323),
-  ('unknown', 32, 'edge_joined', 0.4637, 0.2814),
-  ('unknown', 32, 'edge_unseen', 0.2013, 0.1537),
-  ('unknown', 32, 'height', 2.145, 0.1419),
-  ('unknown', 32, 'length', -0.5586, 0.4419),
-  ('unknown', 32, 'rectangularity', 0.7138, 0.1061),
-  ('unknown', 32, 'spread_length', -0.7698, 0.4384),
-  ('unknown', 32, 'spread_width', -1.723, 0.2766),
-  ('unknown', 32, 'tilt_deg', 2.035, 2.989),
-  ('unknown', 32, 'width', -1.557, 0.286),
-  ('unknown', 32, 'z_max', 2.17, 0.1386),
-  ('unknown', 32, 'z_min', 2.159, 0.1303);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 33, 0.01455, '');
+  ('unknown', 32, 'aspect', 1.56, 0.3065),
+  ('unknown', 32, 'behind', 0.2441, 0.2609),
+  ('unknown', 32, 'corner_offset', 3.686, 1.039),
+  ('unknown', 32, 'edge_concave', 0.7591, 0.2235),
+  ('unknown', 32, 'edge_convex', 0.04623, 0.1145),
+  ('unknown', 32, 'edge_free', 0.1256, 0.1262),
+  ('unknown', 32, 'edge_free_top', 0.1, 0.1613),
+  ('unknown', 32, 'edge_unseen', 0.1416, 0.1215),
+  ('unknown', 32, 'headroom', -0.01794, 0.2142),
+  ('unknown', 32, 'height', 1.469, 0.09278),
+  ('unknown', 32, 'lift', 0.03589, 0.1324),
+  ('unknown', 32, 'rectangularity', 0.7069, 0.1284),
+  ('unknown', 32, 'spread_length', -0.09191, 0.2204),
+  ('unknown', 32, 'spread_width', -1.628, 0.3569),
+  ('unknown', 32, 'standoff', 0.4407, 0.1698),
+  ('unknown', 32, 'tilt_deg', 89.57, 1.97),
+  ('unknown', 32, 'wall_offset', 0.9811, 0.8332),
+  ('unknown', 32, 'width', -1.367, 0.3257),
+  ('unknown', 32, 'z_max', 2.138, 0.1784),
+  ('unknown', 32, 'z_min', 0.8624, 0.1065);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 33, 0.0325, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 33, 'area_m2', 0.1808, 0.6996),
-  ('unknown', 33, 'aspect', 0.5131, 0.2223),
-  ('unknown', 33, 'behind', 0.4027, 0.3373),
-  ('unknown', 33, 'edge_free', 0.2914, 0.2552),
-  ('unknown', 33, 'edge_free_top', 0.4189, 0.2695),
-  ('unknown', 33, 'edge_joined', 0.5725, 0.2182),
-  ('unknown', 33, 'edge_unseen', 0.02346, 0.05657),
-  ('unknown', 33, 'height', 1.184, 0.3489),
-  ('unknown', 33, 'length', 0.7, 0.2904),
-  ('unknown', 33, 'rectangularity', 0.6, 0.1104),
-  ('unknown', 33, 'spread_length', 0.5379, 0.266),
-  ('unknown', 33, 'spread_width', -0.08906, 0.4212),
-  ('unknown', 33, 'tilt_deg', 88.16, 1.498),
-  ('unknown', 33, 'width', 0.09858, 0.5115),
-  ('unknown', 33, 'z_max', 2.113, 0.3212),
-  ('unknown', 33, 'z_min', 0.1493, 0.2143);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 34, 0.01035, '');
+  ('unknown', 33, 'aspect', 0.6885, 0.7426),
+  ('unknown', 33, 'behind', 0.004784, 0.0302),
+  ('unknown', 33, 'corner_offset', -2.617, 3.678),
+  ('unknown', 33, 'edge_concave', -0.002258, 0.03),
+  ('unknown', 33, 'edge_convex', 0.0004081, 0.03014),
+  ('unknown', 33, 'edge_free', 0.008335, 0.03014),
+  ('unknown', 33, 'edge_free_top', 0.01447, 0.04217),
+  ('unknown', 33, 'edge_unseen', 0.005812, 0.03004),
+  ('unknown', 33, 'headroom', 0.3933, 0.2027),
+  ('unknown', 33, 'height', 1.651, 1.348),
+  ('unknown', 33, 'lift', 0.1667, 0.1765),
+  ('unknown', 33, 'rectangularity', 0.8624, 0.1286),
+  ('unknown', 33, 'spread_length', 1.591, 0.2994),
+  ('unknown', 33, 'spread_width', 0.9498, 0.4863),
+  ('unknown', 33, 'standoff', 0.1003, 0.1168),
+  ('unknown', 33, 'tilt_deg', 89.87, 0.5102),
+  ('unknown', 33, 'wall_offset', -0.008635, 0.04472),
+  ('unknown', 33, 'width', 0.9795, 0.5467),
+  ('unknown', 33, 'z_max', 3.783, 2.25),
+  ('unknown', 33, 'z_min', -0.5369, 0.8168);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 34, 0.01212, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 34, 'area_m2', -1.365, 0.4609),
-  ('unknown', 34, 'aspect', 2.287, 0.3725),
-  ('unknown', 34, 'behind', 0.4116, 0.3166),
-  ('unknown', 34, 'edge_free', 0.377, 0.1734),
-  ('unknown', 34, 'edge_free_top', 0.177, 0.1884),
-  ('unknown', 34, 'edge_joined', 0.4697, 0.2373),
-  ('unknown', 34, 'edge_unseen', 0.008694, 0.03175),
-  ('unknown', 34, 'height', 1.227, 0.2317),
-  ('unknown', 34, 'length', 0.5713, 0.2029),
-  ('unknown', 34, 'rectangularity', 0.6703, 0.0846),
-  ('unknown', 34, 'spread_length', 0.4351, 0.1938),
-  ('unknown', 34, 'spread_width', -2.01, 0.3416),
-  ('unknown', 34, 'tilt_deg', 89.67, 2.265),
-  ('unknown', 34, 'width', -1.601, 0.4876),
-  ('unknown', 34, 'z_max', 2.04, 0.2314),
-  ('unknown', 34, 'z_min', 0.2782, 0.3476);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 35, 0.0134, '');
+  ('unknown', 34, 'aspect', 1.275, 0.6237),
+  ('unknown', 34, 'behind', 0.5879, 0.185),
+  ('unknown', 34, 'corner_offset', 2.416, 2.296),
+  ('unknown', 34, 'edge_concave', 0.4579, 0.1825),
+  ('unknown', 34, 'edge_convex', 0.3099, 0.2065),
+  ('unknown', 34, 'edge_free', 0.2568, 0.2194),
+  ('unknown', 34, 'edge_free_top', 0.0595, 0.09904),
+  ('unknown', 34, 'edge_unseen', 0.1433, 0.09362),
+  ('unknown', 34, 'headroom', 0.1697, 0.336),
+  ('unknown', 34, 'height', 2.542, 0.6463),
+  ('unknown', 34, 'lift', 0.015, 0.1544),
+  ('unknown', 34, 'rectangularity', 0.7154, 0.1332),
+  ('unknown', 34, 'spread_length', -0.1386, 0.754),
+  ('unknown', 34, 'spread_width', -1.488, 0.4091),
+  ('unknown', 34, 'standoff', 0.7731, 0.2519),
+  ('unknown', 34, 'tilt_deg', 88.39, 2.631),
+  ('unknown', 34, 'wall_offset', 0.9998, 0.4539),
+  ('unknown', 34, 'width', -1.207, 0.3318),
+  ('unknown', 34, 'z_max', 2.682, 0.6968),
+  ('unknown', 34, 'z_min', 2.48, 0.5444);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 35, 0.009937, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 35, 'area_m2', -0.5646, 0.3364),
-  ('unknown', 35, 'aspect', 0.4701, 0.1063),
-  ('unknown', 35, 'behind', 0.04888, 0.07313),
-  ('unknown', 35, 'edge_free', 0.904, 0.1032),
-  ('unknown', 35, 'edge_free_top', 0.9729, 0.05273),
-  ('unknown', 35, 'edge_joined', 0.033, 0.05672),
-  ('unknown', 35, 'edge_unseen', 0.09918, 0.1266),
-  ('unknown', 35, 'height', 1.641, 0.1258),
-  ('unknown', 35, 'length', 0.02151, 0.2149),
-  ('unknown', 35, 'rectangularity', 0.8662, 0.1043),
-  ('unknown', 35, 'spread_length', -0.05574, 0.2041),
-  ('unknown', 35, 'spread_width', -0.5441, 0.1422),
-  ('unknown', 35, 'tilt_deg', 89.41, 2.186),
-  ('unknown', 35, 'width', -0.3873, 0.1263),
-  ('unknown', 35, 'z_max', 2.017, 0.1556),
-  ('unknown', 35, 'z_min', 1.366, 0.08994);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 36, 0.009641, '');
+  ('unknown', 35, 'aspect', 0.2057, 0.161),
+  ('unknown', 35, 'behind', 0.285, 0.1092),
+  ('unknown', 35, 'corner_offset', 0.8405, 0.5122),
+  ('unknown', 35, 'edge_concave', 0.02439, 0.06201),
+  ('unknown', 35, 'edge_convex', 0.001134, 0.03),
+  ('unknown', 35, 'edge_free', 0.8082, 0.1104),
+  ('unknown', 35, 'edge_free_top', 0.5653, 0.1308),
+  ('unknown', 35, 'edge_unseen', 0.003333, 0.03),
+  ('unknown', 35, 'headroom', 0.4413, 0.3365),
+  ('unknown', 35, 'height', 0.1064, 0.03245),
+  ('unknown', 35, 'lift', 0.1956, 0.1344),
+  ('unknown', 35, 'rectangularity', 0.5889, 0.07147),
+  ('unknown', 35, 'spread_length', -0.7785, 0.1032),
+  ('unknown', 35, 'spread_width', -0.9949, 0.1619),
+  ('unknown', 35, 'standoff', 0.454, 0.1263),
+  ('unknown', 35, 'tilt_deg', 1.092, 1.963),
+  ('unknown', 35, 'wall_offset', 0.7916, 0.7875),
+  ('unknown', 35, 'width', -0.7725, 0.2484),
+  ('unknown', 35, 'z_max', 0.11, 0.04232),
+  ('unknown', 35, 'z_min', 0.1011, 0.03106);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 36, 0.00675, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 36, 'area_m2', -0.9177, 1.268),
-  ('unknown', 36, 'aspect', 1.248, 0.6754),
-  ('unknown', 36, 'behind', 0.6317, 0.192),
-  ('unknown', 36, 'edge_free', 0.4004, 0.2232),
-  ('unknown', 36, 'edge_free_top', 0.1198, 0.1964),
-  ('unknown', 36, 'edge_joined', 0.4323, 0.2695),
-  ('unknown', 36, 'edge_unseen', 0.06411, 0.08488),
-  ('unknown', 36, 'height', 2.208, 0.944),
-  ('unknown', 36, 'length', 0.3876, 0.6931),
-  ('unknown', 36, 'rectangularity', 0.6242, 0.2111),
-  ('unknown', 36, 'spread_length', 0.3638, 0.6342),
-  ('unknown', 36, 'spread_width', -1.095, 0.7779),
-  ('unknown', 36, 'tilt_deg', 50.74, 38.16),
-  ('unknown', 36, 'width', -0.8127, 0.7523),
-  ('unknown', 36, 'z_max', 2.523, 1.128),
-  ('unknown', 36, 'z_min', 2.095, 1.022);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 37, 0.009994, '');
+  ('unknown', 36, 'aspect', 1.468, 0.6101),
+  ('unknown', 36, 'behind', 0.6013, 0.2466),
+  ('unknown', 36, 'corner_offset', 1.582, 0.8567),
+  ('unknown', 36, 'edge_concave', 0.005724, 0.03265),
+  ('unknown', 36, 'edge_convex', 0.6691, 0.1398),
+  ('unknown', 36, 'edge_free', 0.808, 0.1974),
+  ('unknown', 36, 'edge_free_top', 0.9445, 0.1201),
+  ('unknown', 36, 'edge_unseen', 0.0536, 0.07235),
+  ('unknown', 36, 'headroom', 0.2325, 0.1318),
+  ('unknown', 36, 'height', 2.506, 0.2434),
+  ('unknown', 36, 'lift', -0.02388, 0.0261),
+  ('unknown', 36, 'rectangularity', 0.7273, 0.08109),
+  ('unknown', 36, 'spread_length', -0.5263, 0.7381),
+  ('unknown', 36, 'spread_width', -2.356, 0.1483),
+  ('unknown', 36, 'standoff', 1.03, 0.2524),
+  ('unknown', 36, 'tilt_deg', 83.63, 7.096),
+  ('unknown', 36, 'wall_offset', 1.603, 0.6664),
+  ('unknown', 36, 'width', -1.981, 0.3458),
+  ('unknown', 36, 'z_max', 2.604, 0.2525),
+  ('unknown', 36, 'z_min', 2.453, 0.2254);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 37, 0.009118, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 37, 'area_m2', -1.176, 0.2977),
-  ('unknown', 37, 'aspect', 0.3143, 0.2291),
-  ('unknown', 37, 'behind', 0.1127, 0.181),
-  ('unknown', 37, 'edge_free', 0.01778, 0.03),
-  ('unknown', 37, 'edge_free_top', 0.01607, 0.04074),
-  ('unknown', 37, 'edge_joined', 0.9004, 0.1294),
-  ('unknown', 37, 'edge_unseen', 0.1799, 0.1072),
-  ('unknown', 37, 'height', 1.592, 0.08236),
-  ('unknown', 37, 'length', -0.2688, 0.1723),
-  ('unknown', 37, 'rectangularity', 0.7194, 0.09797),
-  ('unknown', 37, 'spread_length', -0.4268, 0.2332),
-  ('unknown', 37, 'spread_width', -0.869, 0.2097),
-  ('unknown', 37, 'tilt_deg', 89.17, 2.493),
-  ('unknown', 37, 'width', -0.56, 0.2196),
-  ('unknown', 37, 'z_max', 1.98, 0.1243),
-  ('unknown', 37, 'z_min', 1.29, 0.07617);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 38, 0.004418, '');
+  ('unknown', 37, 'aspect', 0.3153, 0.1583),
+  ('unknown', 37, 'behind', 0.1906, 0.1655),
+  ('unknown', 37, 'corner_offset', 1.472, 1.44),
+  ('unknown', 37, 'edge_concave', 0.3391, 0.254),
+  ('unknown', 37, 'edge_convex', 0.01415, 0.03665),
+  ('unknown', 37, 'edge_free', 0.479, 0.1668),
+  ('unknown', 37, 'edge_free_top', 0.4803, 0.2604),
+  ('unknown', 37, 'edge_unseen', 0.05916, 0.08269),
+  ('unknown', 37, 'headroom', -0.1998, 0.2488),
+  ('unknown', 37, 'height', 1.478, 0.1655),
+  ('unknown', 37, 'lift', 0.1285, 0.1859),
+  ('unknown', 37, 'rectangularity', 0.6062, 0.09609),
+  ('unknown', 37, 'spread_length', 0.3763, 0.4663),
+  ('unknown', 37, 'spread_width', -0.1095, 0.3053),
+  ('unknown', 37, 'standoff', 0.1133, 0.08925),
+  ('unknown', 37, 'tilt_deg', 87.44, 1.057),
+  ('unknown', 37, 'wall_offset', 0.3245, 1.271),
+  ('unknown', 37, 'width', 0.3578, 0.545),
+  ('unknown', 37, 'z_max', 2.319, 0.4732),
+  ('unknown', 37, 'z_min', 0.4285, 0.5449);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 38, 0.01258, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 38, 'area_m2', -3.7, 0.4371),
-  ('unknown', 38, 'aspect', 0.7861, 0.3755),
-  ('unknown', 38, 'behind', 0.5248, 0.2858),
-  ('unknown', 38, 'edge_free', 0.7889, 0.1906),
-  ('unknown', 38, 'edge_free_top', 0.9804, 0.05112),
-  ('unknown', 38, 'edge_joined', 0.1216, 0.1464),
-  ('unknown', 38, 'edge_unseen', 0.09624, 0.1229),
-  ('unknown', 38, 'height', 2.255, 0.3077),
-  ('unknown', 38, 'length', -1.295, 0.3553),
-  ('unknown', 38, 'rectangularity', 0.7715, 0.1009),
-  ('unknown', 38, 'spread_length', -1.38, 0.3527),
-  ('unknown', 38, 'spread_width', -2.343, 0.1701),
-  ('unknown', 38, 'tilt_deg', 85.39, 5.732),
-  ('unknown', 38, 'width', -2.117, 0.2801),
-  ('unknown', 38, 'z_max', 2.341, 0.3289),
-  ('unknown', 38, 'z_min', 2.201, 0.3452);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 39, 0.005137, '');
+  ('unknown', 38, 'aspect', 2.396, 0.2644),
+  ('unknown', 38, 'behind', 0.1141, 0.151),
+  ('unknown', 38, 'corner_offset', 0.696, 0.7023),
+  ('unknown', 38, 'edge_concave', 0.1456, 0.2625),
+  ('unknown', 38, 'edge_convex', 0.1833, 0.2665),
+  ('unknown', 38, 'edge_free', 0.3967, 0.2461),
+  ('unknown', 38, 'edge_free_top', 0.2637, 0.3209),
+  ('unknown', 38, 'edge_unseen', 0.1163, 0.1677),
+  ('unknown', 38, 'headroom', 0.6482, 0.4044),
+  ('unknown', 38, 'height', 1.142, 0.2139),
+  ('unknown', 38, 'lift', 0.3988, 0.1392),
+  ('unknown', 38, 'rectangularity', 0.7382, 0.08233),
+  ('unknown', 38, 'spread_length', 0.09092, 0.4903),
+  ('unknown', 38, 'spread_width', -2.322, 0.1486),
+  ('unknown', 38, 'standoff', 0.03689, 0.06993),
+  ('unknown', 38, 'tilt_deg', 89.81, 1.386),
+  ('unknown', 38, 'wall_offset', 0.08118, 0.1444),
+  ('unknown', 38, 'width', -2.032, 0.2046),
+  ('unknown', 38, 'z_max', 1.796, 0.2141),
+  ('unknown', 38, 'z_min', 0.3196, 0.3038);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 39, 0.01136, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 39, 'area_m2', -2.217, 0.3682),
-  ('unknown', 39, 'aspect', 1.954, 0.3599),
-  ('unknown', 39, 'behind', 0.6325, 0.1944),
-  ('unknown', 39, 'edge_free', 0.7438, 0.1925),
-  ('unknown', 39, 'edge_free_top', 0.9069, 0.1588),
-  ('unknown', 39, 'edge_joined', 0.2358, 0.1983),
-  ('unknown', 39, 'edge_unseen', 0.03266, 0.03867),
-  ('unknown', 39, 'height', 2.508, 0.2575),
-  ('unknown', 39, 'length', 0.06012, 0.2771),
-  ('unknown', 39, 'rectangularity', 0.6934, 0.05818),
-  ('unknown', 39, 'spread_length', 0.006258, 0.2732),
-  ('unknown', 39, 'spread_width', -2.32, 0.1254),
-  ('unknown', 39, 'tilt_deg', 83.37, 7.266),
-  ('unknown', 39, 'width', -1.904, 0.2663),
-  ('unknown', 39, 'z_max', 2.611, 0.2562),
-  ('unknown', 39, 'z_min', 2.449, 0.2521);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 40, 0.007601, '');
+  ('unknown', 39, 'aspect', 0.7149, 0.3871),
+  ('unknown', 39, 'behind', 0.06709, 0.1181),
+  ('unknown', 39, 'corner_offset', 0.669, 0.6761),
+  ('unknown', 39, 'edge_concave', 0.154, 0.3328),
+  ('unknown', 39, 'edge_convex', -0.0001078, 0.03024),
+  ('unknown', 39, 'edge_free', 0.03408, 0.03982),
+  ('unknown', 39, 'edge_free_top', 0.04423, 0.0863),
+  ('unknown', 39, 'edge_unseen', 0.007489, 0.03041),
+  ('unknown', 39, 'headroom', 0.5511, 0.2496),
+  ('unknown', 39, 'height', 1.397, 0.2113),
+  ('unknown', 39, 'lift', 0.2598, 0.08574),
+  ('unknown', 39, 'rectangularity', 0.5116, 0.366),
+  ('unknown', 39, 'spread_length', 0.5645, 0.215),
+  ('unknown', 39, 'spread_width', 0.3482, 0.1175),
+  ('unknown', 39, 'standoff', 0.05556, 0.03932),
+  ('unknown', 39, 'tilt_deg', 89.43, 1.679),
+  ('unknown', 39, 'wall_offset', 0.02892, 0.1048),
+  ('unknown', 39, 'width', 0.06772, 0.1103),
+  ('unknown', 39, 'z_max', 2.189, 0.1183),
+  ('unknown', 39, 'z_min', 0.1697, 0.3069);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('unknown', 40, 0.003678, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('unknown', 40, 'area_m2', -0.8594, 0.4729),
-  ('unknown', 40, 'aspect', 0.7316, 0.375),
-  ('unknown', 40, 'behind', 0.1485, 0.1878),
-  ('unknown', 40, 'edge_free', 0.2477, 0.2111),
-  ('unknown', 40, 'edge_free_top', 0.04875, 0.0831),
-  ('unknown', 40, 'edge_joined', 0.6662, 0.2082),
-  ('unknown', 40, 'edge_unseen', 0.004537, 0.03),
-  ('unknown', 40, 'height', 1.288, 0.1687),
-  ('unknown', 40, 'length', 0.701, 0.1358),
-  ('unknown', 40, 'rectangularity', 0.2271, 0.05121),
-  ('unknown', 40, 'spread_length', 0.6781, 0.1513),
-  ('unknown', 40, 'spread_width', -0.1878, 0.6745),
-  ('unknown', 40, 'tilt_deg', 89.17, 3.145),
-  ('unknown', 40, 'width', -0.04472, 0.3295),
-  ('unknown', 40, 'z_max', 2.135, 0.0919),
-  ('unknown', 40, 'z_min', 0.06592, 0.1229);
+  ('unknown', 40, 'aspect', 1.289, 0.3045),
+  ('unknown', 40, 'behind', 0.6622, 0.06583),
+  ('unknown', 40, 'corner_offset', 0.6076, 0.4755),
+  ('unknown', 40, 'edge_concave', 0.2391, 0.1458),
+  ('unknown', 40, 'edge_convex', 0.01687, 0.03938),
+  ('unknown', 40, 'edge_free', 0.7374, 0.0802),
+  ('unknown', 40, 'edge_free_top', 0.5649, 0.1308),
+  ('unknown', 40, 'edge_unseen', 0.01598, 0.03707),
+  ('unknown', 40, 'headroom', 0.3856, 0.1518),
+  ('unknown', 40, 'height', 2.403, 0.2111),
+  ('unknown', 40, 'lift', 1.216, 0.3617),
+  ('unknown', 40, 'rectangularity', 0.5826, 0.1499),
+  ('unknown', 40, 'spread_length', 0.2544, 0.1502),
+  ('unknown', 40, 'spread_width', -1.493, 0.1144),
+  ('unknown', 40, 'standoff', 0.4535, 0.1265),
+  ('unknown', 40, 'tilt_deg', 3.034, 4.562),
+  ('unknown', 40, 'wall_offset', 0.7934, 0.7887),
+  ('unknown', 40, 'width', -0.9461, 0.2651),
+  ('unknown', 40, 'z_max', 2.425, 0.2138),
+  ('unknown', 40, 'z_min', 2.399, 0.2087);
 
 -- floor: 512 examples
-UPDATE object_class SET prior = 0.04353 WHERE name = 'floor';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'area_m2', 1.215, 1.682)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.03771 WHERE name = 'floor';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'aspect', 0.4801, 0.3969)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'behind', 0, 0.005)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_free', 0, 0.005)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'corner_offset', 1.367, 0.5646)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_joined', 0.247, 0.159)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_concave', 0.3426, 0.166)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_convex', 0, 0.005)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_free', 0, 0.005)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'edge_unseen', 0.2546, 0.1429)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'height', 0.001528, 0.0225)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'headroom', 2.316, 0.8553)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'length', 1.133, 0.7709)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'height', 0.001528, 0.0225)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'rectangularity', 0.5836, 0.131)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1098,186 +1342,224 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('floor', 'z_min'
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'floor';
 DELETE FROM class_density WHERE class = 'floor';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 1, 0.245, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 1, 0.261, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 1, 'area_m2', 2.553, 0.2742),
-  ('floor', 1, 'aspect', 0.2674, 0.1615),
-  ('floor', 1, 'behind', -0.0003467, 0.03225),
-  ('floor', 1, 'edge_free', -0.0001339, 0.03086),
-  ('floor', 1, 'edge_free_top', -3.604e-05, 0.3184),
-  ('floor', 1, 'edge_joined', 0.2797, 0.1155),
-  ('floor', 1, 'edge_unseen', 0.2001, 0.1254),
-  ('floor', 1, 'height', 8.206e-05, 0.0225),
-  ('floor', 1, 'length', 1.716, 0.1321),
-  ('floor', 1, 'rectangularity', 0.5523, 0.1283),
-  ('floor', 1, 'spread_length', 1.376, 0.1217),
-  ('floor', 1, 'spread_width', 0.9447, 0.1426),
-  ('floor', 1, 'tilt_deg', 0.008375, 0.4589),
-  ('floor', 1, 'width', 1.454, 0.1264),
-  ('floor', 1, 'z_max', 0.000142, 0.0225),
-  ('floor', 1, 'z_min', -9.584e-05, 0.02276);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 2, 0.1738, '');
+  ('floor', 1, 'aspect', 0.2177, 0.1448),
+  ('floor', 1, 'behind', -0.001549, 0.03242),
+  ('floor', 1, 'corner_offset', 1.606, 0.5695),
+  ('floor', 1, 'edge_concave', 0.4097, 0.1226),
+  ('floor', 1, 'edge_convex', -9.374e-05, 0.03228),
+  ('floor', 1, 'edge_free', -0.0003995, 0.03148),
+  ('floor', 1, 'edge_free_top', -0.0004825, 0.3221),
+  ('floor', 1, 'edge_unseen', 0.1988, 0.1129),
+  ('floor', 1, 'headroom', 2.77, 0.2297),
+  ('floor', 1, 'height', 0.0003544, 0.02255),
+  ('floor', 1, 'lift', -3.519e-05, 0.3165),
+  ('floor', 1, 'rectangularity', 0.5863, 0.119),
+  ('floor', 1, 'spread_length', 1.278, 0.1285),
+  ('floor', 1, 'spread_width', 0.916, 0.1229),
+  ('floor', 1, 'standoff', -5.271e-05, 0.3169),
+  ('floor', 1, 'tilt_deg', 0.004318, 0.4679),
+  ('floor', 1, 'wall_offset', 0.01078, 0.3164),
+  ('floor', 1, 'width', 1.4, 0.1208),
+  ('floor', 1, 'z_max', 0.0009783, 0.02286),
+  ('floor', 1, 'z_min', 0.0006739, 0.02345);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 2, 0.126, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 2, 'area_m2', 2.204, 0.2036),
-  ('floor', 2, 'aspect', 0.168, 0.1103),
-  ('floor', 2, 'behind', -0.0002793, 0.03104),
-  ('floor', 2, 'edge_free', -4.328e-05, 0.0303),
-  ('floor', 2, 'edge_free_top', 2.259e-05, 0.3177),
-  ('floor', 2, 'edge_joined', 0.3053, 0.1006),
-  ('floor', 2, 'edge_unseen', 0.1884, 0.08729),
-  ('floor', 2, 'height', 0.00067, 0.0225),
-  ('floor', 2, 'length', 1.432, 0.1061),
-  ('floor', 2, 'rectangularity', 0.622, 0.1078),
-  ('floor', 2, 'spread_length', 1.161, 0.1028),
-  ('floor', 2, 'spread_width', 0.8424, 0.117),
-  ('floor', 2, 'tilt_deg', 0.03586, 0.4521),
-  ('floor', 2, 'width', 1.266, 0.114),
-  ('floor', 2, 'z_max', 0.001452, 0.0225),
-  ('floor', 2, 'z_min', -0.0004979, 0.02263);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 3, 0.1178, '');
+  ('floor', 2, 'aspect', 0.3254, 0.151),
+  ('floor', 2, 'behind', -0.0007444, 0.03148),
+  ('floor', 2, 'corner_offset', 1.318, 0.4255),
+  ('floor', 2, 'edge_concave', 0.437, 0.0839),
+  ('floor', 2, 'edge_convex', -5.271e-05, 0.03083),
+  ('floor', 2, 'edge_free', -0.0001957, 0.03041),
+  ('floor', 2, 'edge_free_top', -0.0003225, 0.3206),
+  ('floor', 2, 'edge_unseen', 0.2095, 0.04926),
+  ('floor', 2, 'headroom', 2.762, 0.1992),
+  ('floor', 2, 'height', 0.0001704, 0.02256),
+  ('floor', 2, 'lift', 8.339e-05, 0.3166),
+  ('floor', 2, 'rectangularity', 0.5805, 0.1028),
+  ('floor', 2, 'spread_length', 1.12, 0.1306),
+  ('floor', 2, 'spread_width', 0.6549, 0.1296),
+  ('floor', 2, 'standoff', 4.972e-08, 0.3167),
+  ('floor', 2, 'tilt_deg', 0.02787, 0.4581),
+  ('floor', 2, 'wall_offset', 0.004566, 0.3263),
+  ('floor', 2, 'width', 1.052, 0.147),
+  ('floor', 2, 'z_max', 0.001117, 0.02252),
+  ('floor', 2, 'z_min', -7.141e-05, 0.02257);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 3, 0.1661, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 3, 'area_m2', 2.056, 0.3792),
-  ('floor', 3, 'aspect', 0.7999, 0.1376),
-  ('floor', 3, 'behind', -0.0001625, 0.03149),
-  ('floor', 3, 'edge_free', -0.0001555, 0.03033),
-  ('floor', 3, 'edge_free_top', -6.863e-06, 0.3179),
-  ('floor', 3, 'edge_joined', 0.243, 0.12),
-  ('floor', 3, 'edge_unseen', 0.2808, 0.09003),
-  ('floor', 3, 'height', 3.147e-06, 0.0225),
-  ('floor', 3, 'length', 1.769, 0.1932),
-  ('floor', 3, 'rectangularity', 0.5107, 0.09309),
-  ('floor', 3, 'spread_length', 1.394, 0.1511),
-  ('floor', 3, 'spread_width', 0.5789, 0.2092),
-  ('floor', 3, 'tilt_deg', 0.03099, 0.4544),
-  ('floor', 3, 'width', 0.9744, 0.2216),
-  ('floor', 3, 'z_max', 0.0005052, 0.0225),
-  ('floor', 3, 'z_min', -0.0007507, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 4, 0.113, '');
+  ('floor', 3, 'aspect', 0.9558, 0.4233),
+  ('floor', 3, 'behind', -0.007619, 0.03),
+  ('floor', 3, 'corner_offset', 0.7163, 0.1107),
+  ('floor', 3, 'edge_concave', 0.2325, 0.1619),
+  ('floor', 3, 'edge_convex', -0.0003409, 0.03187),
+  ('floor', 3, 'edge_free', -0.001587, 0.03),
+  ('floor', 3, 'edge_free_top', -0.002712, 0.3236),
+  ('floor', 3, 'edge_unseen', 0.388, 0.1326),
+  ('floor', 3, 'headroom', 0.9158, 0.08253),
+  ('floor', 3, 'height', 0.0111, 0.04292),
+  ('floor', 3, 'lift', -0.002637, 0.3161),
+  ('floor', 3, 'rectangularity', 0.656, 0.1557),
+  ('floor', 3, 'spread_length', 0.02749, 0.4604),
+  ('floor', 3, 'spread_width', -0.8268, 0.2869),
+  ('floor', 3, 'standoff', -0.0005902, 0.3189),
+  ('floor', 3, 'tilt_deg', 2.082, 0.4799),
+  ('floor', 3, 'wall_offset', -0.003141, 0.3481),
+  ('floor', 3, 'width', -0.6046, 0.3837),
+  ('floor', 3, 'z_max', 0.02896, 0.04533),
+  ('floor', 3, 'z_min', -0.003842, 0.04477);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 4, 0.1084, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 4, 'area_m2', 1.716, 0.2586),
-  ('floor', 4, 'aspect', 0.3573, 0.1816),
-  ('floor', 4, 'behind', -0.0002696, 0.03098),
-  ('floor', 4, 'edge_free', -0.0001596, 0.03009),
-  ('floor', 4, 'edge_free_top', -0.0002487, 0.3183),
-  ('floor', 4, 'edge_joined', 0.2045, 0.08717),
-  ('floor', 4, 'edge_unseen', 0.2253, 0.05759),
-  ('floor', 4, 'height', -0.0001502, 0.0225),
-  ('floor', 4, 'length', 1.341, 0.1472),
-  ('floor', 4, 'rectangularity', 0.5526, 0.09576),
-  ('floor', 4, 'spread_length', 1.103, 0.1356),
-  ('floor', 4, 'spread_width', 0.5937, 0.1424),
-  ('floor', 4, 'tilt_deg', 0.05915, 0.4529),
-  ('floor', 4, 'width', 0.9856, 0.164),
-  ('floor', 4, 'z_max', 0.00131, 0.0225),
-  ('floor', 4, 'z_min', -0.001514, 0.02278);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 5, 0.07617, '');
+  ('floor', 4, 'aspect', 0.7839, 0.1446),
+  ('floor', 4, 'behind', -0.0002898, 0.03281),
+  ('floor', 4, 'corner_offset', 1.314, 0.4258),
+  ('floor', 4, 'edge_concave', 0.3738, 0.08571),
+  ('floor', 4, 'edge_convex', -5.272e-05, 0.03089),
+  ('floor', 4, 'edge_free', -0.0004525, 0.03006),
+  ('floor', 4, 'edge_free_top', -0.0006488, 0.3198),
+  ('floor', 4, 'edge_unseen', 0.2898, 0.073),
+  ('floor', 4, 'headroom', 2.654, 0.1989),
+  ('floor', 4, 'height', -0.0002562, 0.0225),
+  ('floor', 4, 'lift', 5.661e-05, 0.3164),
+  ('floor', 4, 'rectangularity', 0.5176, 0.1094),
+  ('floor', 4, 'spread_length', 1.349, 0.1705),
+  ('floor', 4, 'spread_width', 0.5677, 0.1929),
+  ('floor', 4, 'standoff', -1.656e-05, 0.3164),
+  ('floor', 4, 'tilt_deg', 0.02138, 0.4562),
+  ('floor', 4, 'wall_offset', 0.000673, 0.3319),
+  ('floor', 4, 'width', 0.9428, 0.2356),
+  ('floor', 4, 'z_max', 0.0003962, 0.0225),
+  ('floor', 4, 'z_min', -0.0002118, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 5, 0.08023, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 5, 'area_m2', 0.07012, 0.3782),
-  ('floor', 5, 'aspect', 0.6425, 0.3723),
-  ('floor', 5, 'behind', -0.002827, 0.03),
-  ('floor', 5, 'edge_free', -0.0004702, 0.03),
-  ('floor', 5, 'edge_free_top', -0.00111, 0.318),
-  ('floor', 5, 'edge_joined', 0.1784, 0.1499),
-  ('floor', 5, 'edge_unseen', 0.3317, 0.1417),
-  ('floor', 5, 'height', 0.006026, 0.02398),
-  ('floor', 5, 'length', 0.6254, 0.24),
-  ('floor', 5, 'rectangularity', 0.588, 0.146),
-  ('floor', 5, 'spread_length', 0.5019, 0.162),
-  ('floor', 5, 'spread_width', -0.2785, 0.2161),
-  ('floor', 5, 'tilt_deg', 1.513, 0.8037),
-  ('floor', 5, 'width', 0.005022, 0.2402),
-  ('floor', 5, 'z_max', 0.02787, 0.0288),
-  ('floor', 5, 'z_min', -0.01465, 0.0255);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 6, 0.06136, '');
+  ('floor', 5, 'aspect', 1.046, 0.5692),
+  ('floor', 5, 'behind', -0.003744, 0.03003),
+  ('floor', 5, 'corner_offset', 0.2798, 0.3799),
+  ('floor', 5, 'edge_concave', 0.3119, 0.1804),
+  ('floor', 5, 'edge_convex', -0.0001433, 0.0387),
+  ('floor', 5, 'edge_free', -0.002664, 0.03),
+  ('floor', 5, 'edge_free_top', -0.002187, 0.3251),
+  ('floor', 5, 'edge_unseen', 0.3576, 0.1866),
+  ('floor', 5, 'headroom', 1.414, 0.5154),
+  ('floor', 5, 'height', -0.01182, 0.02271),
+  ('floor', 5, 'lift', -0.004488, 0.3136),
+  ('floor', 5, 'rectangularity', 0.6406, 0.1075),
+  ('floor', 5, 'spread_length', -0.4399, 0.4986),
+  ('floor', 5, 'spread_width', -1.526, 0.3076),
+  ('floor', 5, 'standoff', -0.001016, 0.319),
+  ('floor', 5, 'tilt_deg', 1.691, 0.7366),
+  ('floor', 5, 'wall_offset', -0.01059, 0.3607),
+  ('floor', 5, 'width', -1.276, 0.3144),
+  ('floor', 5, 'z_max', -0.01036, 0.02767),
+  ('floor', 5, 'z_min', -0.02395, 0.03129);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 6, 0.06298, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 6, 'area_m2', -1.314, 0.4736),
-  ('floor', 6, 'aspect', 0.5056, 0.2749),
-  ('floor', 6, 'behind', -0.003085, 0.03),
-  ('floor', 6, 'edge_free', -0.0004888, 0.03),
-  ('floor', 6, 'edge_free_top', -0.0005377, 0.317),
-  ('floor', 6, 'edge_joined', 0.2475, 0.2046),
-  ('floor', 6, 'edge_unseen', 0.2952, 0.1587),
-  ('floor', 6, 'height', 0.003565, 0.0225),
-  ('floor', 6, 'length', -0.1662, 0.2455),
-  ('floor', 6, 'rectangularity', 0.6251, 0.1656),
-  ('floor', 6, 'spread_length', -0.3207, 0.1972),
-  ('floor', 6, 'spread_width', -0.9421, 0.2807),
-  ('floor', 6, 'tilt_deg', 1.833, 0.962),
-  ('floor', 6, 'width', -0.6924, 0.246),
-  ('floor', 6, 'z_max', 0.01355, 0.02283),
-  ('floor', 6, 'z_min', -0.00753, 0.02472);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 7, 0.04725, '');
+  ('floor', 6, 'aspect', 0.4743, 0.2885),
+  ('floor', 6, 'behind', -0.004127, 0.03),
+  ('floor', 6, 'corner_offset', 0.8781, 0.3352),
+  ('floor', 6, 'edge_concave', 0.2055, 0.1264),
+  ('floor', 6, 'edge_convex', -0.001825, 0.03003),
+  ('floor', 6, 'edge_free', -0.0006169, 0.03),
+  ('floor', 6, 'edge_free_top', -0.001035, 0.3193),
+  ('floor', 6, 'edge_unseen', 0.3088, 0.1357),
+  ('floor', 6, 'headroom', 0.7855, 0.2459),
+  ('floor', 6, 'height', 0.006544, 0.02372),
+  ('floor', 6, 'lift', -0.0002114, 0.3165),
+  ('floor', 6, 'rectangularity', 0.571, 0.157),
+  ('floor', 6, 'spread_length', 0.5152, 0.1528),
+  ('floor', 6, 'spread_width', -0.1603, 0.1876),
+  ('floor', 6, 'standoff', -0.0002218, 0.3187),
+  ('floor', 6, 'tilt_deg', 1.443, 0.7192),
+  ('floor', 6, 'wall_offset', -0.001771, 0.3268),
+  ('floor', 6, 'width', 0.1512, 0.1898),
+  ('floor', 6, 'z_max', 0.02869, 0.02904),
+  ('floor', 6, 'z_min', -0.01555, 0.02277);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 7, 0.06698, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 7, 'area_m2', -2.654, 0.7926),
-  ('floor', 7, 'aspect', 1.075, 0.5803),
-  ('floor', 7, 'behind', -0.003133, 0.03001),
-  ('floor', 7, 'edge_free', -0.001657, 0.03),
-  ('floor', 7, 'edge_free_top', -0.002715, 0.3235),
-  ('floor', 7, 'edge_joined', 0.1682, 0.228),
-  ('floor', 7, 'edge_unseen', 0.3569, 0.2156),
-  ('floor', 7, 'height', -0.09107, 0.2495),
-  ('floor', 7, 'length', -0.6061, 0.5403),
-  ('floor', 7, 'rectangularity', 0.6492, 0.1619),
-  ('floor', 7, 'spread_length', -0.6359, 0.3606),
-  ('floor', 7, 'spread_width', -1.71, 0.3463),
-  ('floor', 7, 'tilt_deg', 2.384, 0.5342),
-  ('floor', 7, 'width', -1.553, 0.4593),
-  ('floor', 7, 'z_max', -0.1675, 0.2319),
-  ('floor', 7, 'z_min', -0.1376, 0.2726);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 8, 0.05985, '');
+  ('floor', 7, 'aspect', 0.3948, 0.3192),
+  ('floor', 7, 'behind', -0.0004145, 0.03198),
+  ('floor', 7, 'corner_offset', 1.328, 0.5281),
+  ('floor', 7, 'edge_concave', 0.3195, 0.09083),
+  ('floor', 7, 'edge_convex', -9.093e-05, 0.03081),
+  ('floor', 7, 'edge_free', -0.0003194, 0.03019),
+  ('floor', 7, 'edge_free_top', -0.0006973, 0.3216),
+  ('floor', 7, 'edge_unseen', 0.183, 0.1133),
+  ('floor', 7, 'headroom', 0.7188, 0.1874),
+  ('floor', 7, 'height', -0.0002364, 0.02257),
+  ('floor', 7, 'lift', -4.674e-05, 0.3163),
+  ('floor', 7, 'rectangularity', 0.4648, 0.1231),
+  ('floor', 7, 'spread_length', 1.435, 0.1643),
+  ('floor', 7, 'spread_width', 0.7954, 0.2897),
+  ('floor', 7, 'standoff', -0.0002739, 0.3187),
+  ('floor', 7, 'tilt_deg', 0.02605, 0.4515),
+  ('floor', 7, 'wall_offset', 0.003097, 0.3311),
+  ('floor', 7, 'width', 1.324, 0.2609),
+  ('floor', 7, 'z_max', 0.0001963, 0.02255),
+  ('floor', 7, 'z_min', -0.0003607, 0.0226);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 8, 0.0592, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 8, 'area_m2', -0.9183, 0.5014),
-  ('floor', 8, 'aspect', 1.316, 0.252),
-  ('floor', 8, 'behind', -0.001389, 0.03),
-  ('floor', 8, 'edge_free', -0.0004052, 0.03),
-  ('floor', 8, 'edge_free_top', -0.0005234, 0.3175),
-  ('floor', 8, 'edge_joined', 0.2664, 0.277),
-  ('floor', 8, 'edge_unseen', 0.408, 0.1318),
-  ('floor', 8, 'height', 0.003115, 0.0225),
-  ('floor', 8, 'length', 0.4349, 0.2593),
-  ('floor', 8, 'rectangularity', 0.6313, 0.1612),
-  ('floor', 8, 'spread_length', 0.2837, 0.2142),
-  ('floor', 8, 'spread_width', -1.072, 0.2779),
-  ('floor', 8, 'tilt_deg', 1.612, 0.8724),
-  ('floor', 8, 'width', -0.8677, 0.2872),
-  ('floor', 8, 'z_max', 0.01797, 0.0248),
-  ('floor', 8, 'z_min', -0.01045, 0.02303);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 9, 0.05583, '');
+  ('floor', 8, 'aspect', 0.3839, 0.2111),
+  ('floor', 8, 'behind', -0.0006042, 0.03084),
+  ('floor', 8, 'corner_offset', 1.298, 0.3469),
+  ('floor', 8, 'edge_concave', 0.2153, 0.1099),
+  ('floor', 8, 'edge_convex', -8.437e-05, 0.03093),
+  ('floor', 8, 'edge_free', -0.0003792, 0.03008),
+  ('floor', 8, 'edge_free_top', -0.0006316, 0.3221),
+  ('floor', 8, 'edge_unseen', 0.3637, 0.08947),
+  ('floor', 8, 'headroom', 0.9875, 0.2737),
+  ('floor', 8, 'height', 0.0005077, 0.02253),
+  ('floor', 8, 'lift', 6.94e-05, 0.3167),
+  ('floor', 8, 'rectangularity', 0.5777, 0.07674),
+  ('floor', 8, 'spread_length', 0.9397, 0.1802),
+  ('floor', 8, 'spread_width', 0.4806, 0.2842),
+  ('floor', 8, 'standoff', -0.0001552, 0.3203),
+  ('floor', 8, 'tilt_deg', 1.334, 0.501),
+  ('floor', 8, 'wall_offset', 0.0004025, 0.3289),
+  ('floor', 8, 'width', 0.7993, 0.2742),
+  ('floor', 8, 'z_max', 0.03549, 0.02256),
+  ('floor', 8, 'z_min', -0.0388, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('floor', 9, 0.01913, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('floor', 9, 'area_m2', 1.254, 0.5476),
-  ('floor', 9, 'aspect', 0.4223, 0.2144),
-  ('floor', 9, 'behind', -0.0002546, 0.0305),
-  ('floor', 9, 'edge_free', -0.0001884, 0.03002),
-  ('floor', 9, 'edge_free_top', -0.0001959, 0.318),
-  ('floor', 9, 'edge_joined', 0.1743, 0.08928),
-  ('floor', 9, 'edge_unseen', 0.3611, 0.08633),
-  ('floor', 9, 'height', 0.0002099, 0.0225),
-  ('floor', 9, 'length', 1.146, 0.2399),
-  ('floor', 9, 'rectangularity', 0.5599, 0.1137),
-  ('floor', 9, 'spread_length', 0.9114, 0.1879),
-  ('floor', 9, 'spread_width', 0.4186, 0.2854),
-  ('floor', 9, 'tilt_deg', 1.281, 0.5527),
-  ('floor', 9, 'width', 0.7246, 0.2636),
-  ('floor', 9, 'z_max', 0.03262, 0.02256),
-  ('floor', 9, 'z_min', -0.03465, 0.02273);
+  ('floor', 9, 'aspect', 1.04, 0.4765),
+  ('floor', 9, 'behind', -0.0003941, 0.03016),
+  ('floor', 9, 'corner_offset', 0.7471, 0.2813),
+  ('floor', 9, 'edge_concave', 0.2068, 0.1274),
+  ('floor', 9, 'edge_convex', -1.069e-05, 0.03201),
+  ('floor', 9, 'edge_free', -0.0006669, 0.03),
+  ('floor', 9, 'edge_free_top', -0.0006498, 0.3203),
+  ('floor', 9, 'edge_unseen', 0.369, 0.1328),
+  ('floor', 9, 'headroom', 1.492, 0.4241),
+  ('floor', 9, 'height', -0.3617, 0.3437),
+  ('floor', 9, 'lift', -0.001015, 0.3165),
+  ('floor', 9, 'rectangularity', 0.6203, 0.1908),
+  ('floor', 9, 'spread_length', -0.07325, 0.3563),
+  ('floor', 9, 'spread_width', -1.121, 0.4574),
+  ('floor', 9, 'standoff', 4.031e-05, 0.3178),
+  ('floor', 9, 'tilt_deg', 2.808, 0.8254),
+  ('floor', 9, 'wall_offset', -0.001753, 0.3277),
+  ('floor', 9, 'width', -0.8654, 0.5347),
+  ('floor', 9, 'z_max', -0.3783, 0.3325),
+  ('floor', 9, 'z_min', -0.3811, 0.3521);
 
 -- ceiling: 432 examples
-UPDATE object_class SET prior = 0.03637 WHERE name = 'ceiling';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'area_m2', 1.598, 1.658)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.04556 WHERE name = 'ceiling';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'aspect', 0.4171, 0.3899)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'behind', 0.01187, 0.06055)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_free', 0.01147, 0.06105)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'corner_offset', 1.078, 0.7913)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_joined', 0.4333, 0.2134)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_concave', 0.5571, 0.1596)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_convex', 0.006293, 0.04186)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_free', 0.01147, 0.06105)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'edge_unseen', 0.3095, 0.1518)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'height', 2.833, 0.314)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'length', 1.214, 0.7335)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'lift', 2.224, 0.3906)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'rectangularity', 0.6751, 0.1234)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1295,206 +1577,228 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('ceiling', 'z_mi
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'ceiling';
 DELETE FROM class_density WHERE class = 'ceiling';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 1, 0.1868, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 1, 0.1888, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 1, 'area_m2', 2.588, 0.3241),
-  ('ceiling', 1, 'aspect', 0.2105, 0.152),
-  ('ceiling', 1, 'behind', 1.027e-05, 0.03),
-  ('ceiling', 1, 'edge_free', 0.0001397, 0.03),
-  ('ceiling', 1, 'edge_free_top', 0.000131, 0.3169),
-  ('ceiling', 1, 'edge_joined', 0.6046, 0.166),
-  ('ceiling', 1, 'edge_unseen', 0.3126, 0.1252),
-  ('ceiling', 1, 'height', 2.51, 0.06479),
-  ('ceiling', 1, 'length', 1.592, 0.1718),
-  ('ceiling', 1, 'rectangularity', 0.6878, 0.1139),
-  ('ceiling', 1, 'spread_length', 1.451, 0.1573),
-  ('ceiling', 1, 'spread_width', 1.048, 0.1666),
-  ('ceiling', 1, 'tilt_deg', 0.004396, 0.45),
-  ('ceiling', 1, 'width', 1.382, 0.1373),
-  ('ceiling', 1, 'z_max', 2.509, 0.06718),
-  ('ceiling', 1, 'z_min', 2.509, 0.06642);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 2, 0.1542, '');
+  ('ceiling', 1, 'aspect', 0.2493, 0.1725),
+  ('ceiling', 1, 'behind', -0.0009725, 0.03026),
+  ('ceiling', 1, 'corner_offset', 1.53, 0.5308),
+  ('ceiling', 1, 'edge_concave', 0.6067, 0.1097),
+  ('ceiling', 1, 'edge_convex', 5.794e-05, 0.03),
+  ('ceiling', 1, 'edge_free', 1.676e-05, 0.03),
+  ('ceiling', 1, 'edge_free_top', -0.0001162, 0.3203),
+  ('ceiling', 1, 'edge_unseen', 0.316, 0.112),
+  ('ceiling', 1, 'headroom', -0.01984, 0.3258),
+  ('ceiling', 1, 'height', 2.525, 0.07279),
+  ('ceiling', 1, 'lift', 2.216, 0.1246),
+  ('ceiling', 1, 'rectangularity', 0.6735, 0.1119),
+  ('ceiling', 1, 'spread_length', 1.435, 0.1488),
+  ('ceiling', 1, 'spread_width', 1.002, 0.1922),
+  ('ceiling', 1, 'standoff', -4.336e-05, 0.3164),
+  ('ceiling', 1, 'tilt_deg', -0.01609, 0.45),
+  ('ceiling', 1, 'wall_offset', 0.01589, 0.3142),
+  ('ceiling', 1, 'width', 1.331, 0.1922),
+  ('ceiling', 1, 'z_max', 2.524, 0.07383),
+  ('ceiling', 1, 'z_min', 2.525, 0.07413);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 2, 0.1435, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 2, 'area_m2', 2.494, 0.1974),
-  ('ceiling', 2, 'aspect', 0.2165, 0.1322),
-  ('ceiling', 2, 'behind', 0.000201, 0.03057),
-  ('ceiling', 2, 'edge_free', 0.0001762, 0.03),
-  ('ceiling', 2, 'edge_free_top', 0.0001469, 0.3165),
-  ('ceiling', 2, 'edge_joined', 0.5103, 0.1493),
-  ('ceiling', 2, 'edge_unseen', 0.377, 0.07995),
-  ('ceiling', 2, 'height', 2.805, 0.1084),
-  ('ceiling', 2, 'length', 1.6, 0.1055),
-  ('ceiling', 2, 'rectangularity', 0.6127, 0.06818),
-  ('ceiling', 2, 'spread_length', 1.507, 0.1041),
-  ('ceiling', 2, 'spread_width', 1.019, 0.1319),
-  ('ceiling', 2, 'tilt_deg', 0.003845, 0.45),
-  ('ceiling', 2, 'width', 1.387, 0.12),
-  ('ceiling', 2, 'z_max', 2.804, 0.1098),
-  ('ceiling', 2, 'z_min', 2.806, 0.1096);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 3, 0.1615, '');
+  ('ceiling', 2, 'aspect', 0.225, 0.1387),
+  ('ceiling', 2, 'behind', 0.0001247, 0.03345),
+  ('ceiling', 2, 'corner_offset', 1.55, 0.364),
+  ('ceiling', 2, 'edge_concave', 0.5919, 0.108),
+  ('ceiling', 2, 'edge_convex', 8.554e-05, 0.03043),
+  ('ceiling', 2, 'edge_free', 5.354e-05, 0.03044),
+  ('ceiling', 2, 'edge_free_top', -0.0001139, 0.3236),
+  ('ceiling', 2, 'edge_unseen', 0.339, 0.1062),
+  ('ceiling', 2, 'headroom', -0.006526, 0.3275),
+  ('ceiling', 2, 'height', 2.726, 0.05584),
+  ('ceiling', 2, 'lift', 2.216, 0.1263),
+  ('ceiling', 2, 'rectangularity', 0.6444, 0.09434),
+  ('ceiling', 2, 'spread_length', 1.481, 0.134),
+  ('ceiling', 2, 'spread_width', 1.02, 0.1871),
+  ('ceiling', 2, 'standoff', -1.533e-05, 0.3164),
+  ('ceiling', 2, 'tilt_deg', -0.03149, 0.45),
+  ('ceiling', 2, 'wall_offset', 0.02834, 0.2789),
+  ('ceiling', 2, 'width', 1.365, 0.1514),
+  ('ceiling', 2, 'z_max', 2.723, 0.04774),
+  ('ceiling', 2, 'z_min', 2.728, 0.05892);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 3, 0.1496, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 3, 'area_m2', 2.058, 0.3069),
-  ('ceiling', 3, 'aspect', 0.433, 0.2924),
-  ('ceiling', 3, 'behind', 0.0001637, 0.03),
-  ('ceiling', 3, 'edge_free', 0.0001549, 0.03),
-  ('ceiling', 3, 'edge_free_top', 6.483e-05, 0.3176),
-  ('ceiling', 3, 'edge_joined', 0.357, 0.1376),
-  ('ceiling', 3, 'edge_unseen', 0.3159, 0.0637),
-  ('ceiling', 3, 'height', 2.999, 0.08175),
-  ('ceiling', 3, 'length', 1.471, 0.1955),
-  ('ceiling', 3, 'rectangularity', 0.653, 0.1225),
-  ('ceiling', 3, 'spread_length', 1.353, 0.1432),
-  ('ceiling', 3, 'spread_width', 0.7204, 0.2135),
-  ('ceiling', 3, 'tilt_deg', 0.009538, 0.45),
-  ('ceiling', 3, 'width', 1.031, 0.252),
-  ('ceiling', 3, 'z_max', 3.001, 0.08301),
-  ('ceiling', 3, 'z_min', 3, 0.0834);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 4, 0.1109, '');
+  ('ceiling', 3, 'aspect', 0.3885, 0.3166),
+  ('ceiling', 3, 'behind', 6.309e-05, 0.03055),
+  ('ceiling', 3, 'corner_offset', 1.205, 0.5353),
+  ('ceiling', 3, 'edge_concave', 0.5989, 0.09343),
+  ('ceiling', 3, 'edge_convex', 9.747e-05, 0.03001),
+  ('ceiling', 3, 'edge_free', 0.0001059, 0.03),
+  ('ceiling', 3, 'edge_free_top', -0.0001114, 0.3184),
+  ('ceiling', 3, 'edge_unseen', 0.3123, 0.08474),
+  ('ceiling', 3, 'headroom', -0.003464, 0.3269),
+  ('ceiling', 3, 'height', 3.039, 0.04647),
+  ('ceiling', 3, 'lift', 2.212, 0.119),
+  ('ceiling', 3, 'rectangularity', 0.6399, 0.1174),
+  ('ceiling', 3, 'spread_length', 1.432, 0.156),
+  ('ceiling', 3, 'spread_width', 0.8388, 0.2667),
+  ('ceiling', 3, 'standoff', -3.686e-05, 0.3162),
+  ('ceiling', 3, 'tilt_deg', 0.00224, 0.45),
+  ('ceiling', 3, 'wall_offset', 0.006982, 0.3281),
+  ('ceiling', 3, 'width', 1.175, 0.293),
+  ('ceiling', 3, 'z_max', 3.041, 0.04446),
+  ('ceiling', 3, 'z_min', 3.04, 0.04575);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 4, 0.1098, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 4, 'area_m2', 2.881, 0.2272),
-  ('ceiling', 4, 'aspect', 0.2358, 0.1311),
-  ('ceiling', 4, 'behind', 0.0002637, 0.03054),
-  ('ceiling', 4, 'edge_free', 0.0002424, 0.03),
-  ('ceiling', 4, 'edge_free_top', 0.0001403, 0.3175),
-  ('ceiling', 4, 'edge_joined', 0.506, 0.1595),
-  ('ceiling', 4, 'edge_unseen', 0.2134, 0.1228),
-  ('ceiling', 4, 'height', 2.865, 0.1458),
-  ('ceiling', 4, 'length', 1.681, 0.131),
-  ('ceiling', 4, 'rectangularity', 0.786, 0.09496),
-  ('ceiling', 4, 'spread_length', 1.539, 0.1409),
-  ('ceiling', 4, 'spread_width', 1.176, 0.1229),
-  ('ceiling', 4, 'tilt_deg', 0.001277, 0.45),
-  ('ceiling', 4, 'width', 1.449, 0.1251),
-  ('ceiling', 4, 'z_max', 2.866, 0.1484),
-  ('ceiling', 4, 'z_min', 2.867, 0.147);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 5, 0.0694, '');
+  ('ceiling', 4, 'aspect', 0.2492, 0.1605),
+  ('ceiling', 4, 'behind', 0.0001705, 0.03231),
+  ('ceiling', 4, 'corner_offset', 1.477, 0.4772),
+  ('ceiling', 4, 'edge_concave', 0.6629, 0.1318),
+  ('ceiling', 4, 'edge_convex', 0.0001244, 0.0302),
+  ('ceiling', 4, 'edge_free', 0.0001525, 0.03018),
+  ('ceiling', 4, 'edge_free_top', -0.000235, 0.3213),
+  ('ceiling', 4, 'edge_unseen', 0.2838, 0.114),
+  ('ceiling', 4, 'headroom', -0.01706, 0.3216),
+  ('ceiling', 4, 'height', 2.888, 0.04289),
+  ('ceiling', 4, 'lift', 2.215, 0.1253),
+  ('ceiling', 4, 'rectangularity', 0.7135, 0.1192),
+  ('ceiling', 4, 'spread_length', 1.447, 0.1451),
+  ('ceiling', 4, 'spread_width', 1.002, 0.1998),
+  ('ceiling', 4, 'standoff', -2.675e-05, 0.3165),
+  ('ceiling', 4, 'tilt_deg', -0.006537, 0.45),
+  ('ceiling', 4, 'wall_offset', 0.01463, 0.3062),
+  ('ceiling', 4, 'width', 1.301, 0.2046),
+  ('ceiling', 4, 'z_max', 2.887, 0.04433),
+  ('ceiling', 4, 'z_min', 2.887, 0.04429);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 5, 0.06098, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 5, 'area_m2', -1.894, 1.017),
-  ('ceiling', 5, 'aspect', 0.5274, 0.3712),
-  ('ceiling', 5, 'behind', 0.0007609, 0.03255),
-  ('ceiling', 5, 'edge_free', 0.0004722, 0.03),
-  ('ceiling', 5, 'edge_free_top', -0.0009574, 0.3163),
-  ('ceiling', 5, 'edge_joined', 0.2739, 0.1654),
-  ('ceiling', 5, 'edge_unseen', 0.5558, 0.07289),
-  ('ceiling', 5, 'height', 3.163, 0.2534),
-  ('ceiling', 5, 'length', -0.4231, 0.5248),
-  ('ceiling', 5, 'rectangularity', 0.602, 0.07283),
-  ('ceiling', 5, 'spread_length', -0.5053, 0.4954),
-  ('ceiling', 5, 'spread_width', -1.161, 0.4904),
-  ('ceiling', 5, 'tilt_deg', 0.5622, 0.7636),
-  ('ceiling', 5, 'width', -0.905, 0.4704),
-  ('ceiling', 5, 'z_max', 3.196, 0.3009),
-  ('ceiling', 5, 'z_min', 3.2, 0.2666);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 6, 0.04053, '');
+  ('ceiling', 5, 'aspect', 0.9179, 0.3609),
+  ('ceiling', 5, 'behind', 0.0008166, 0.03005),
+  ('ceiling', 5, 'corner_offset', -0.5819, 0.4559),
+  ('ceiling', 5, 'edge_concave', 0.2673, 0.1351),
+  ('ceiling', 5, 'edge_convex', 0.000174, 0.03012),
+  ('ceiling', 5, 'edge_free', 0.0002465, 0.03),
+  ('ceiling', 5, 'edge_free_top', -9.379e-05, 0.3186),
+  ('ceiling', 5, 'edge_unseen', 0.08364, 0.1178),
+  ('ceiling', 5, 'headroom', -0.1363, 0.1663),
+  ('ceiling', 5, 'height', 2.507, 0.02402),
+  ('ceiling', 5, 'lift', 2.222, 0.1103),
+  ('ceiling', 5, 'rectangularity', 0.7294, 0.1243),
+  ('ceiling', 5, 'spread_length', 0.03539, 0.4114),
+  ('ceiling', 5, 'spread_width', -0.8733, 0.2226),
+  ('ceiling', 5, 'standoff', -4.387e-05, 0.3161),
+  ('ceiling', 5, 'tilt_deg', 0.1911, 0.4523),
+  ('ceiling', 5, 'wall_offset', -7.657e-08, 0.3119),
+  ('ceiling', 5, 'width', -0.8989, 0.6832),
+  ('ceiling', 5, 'z_max', 2.504, 0.02252),
+  ('ceiling', 5, 'z_min', 2.505, 0.02251);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 6, 0.1008, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 6, 'area_m2', -1.089, 0.9192),
-  ('ceiling', 6, 'aspect', 0.9258, 0.2618),
-  ('ceiling', 6, 'behind', 0.0003101, 0.03035),
-  ('ceiling', 6, 'edge_free', 0.0002227, 0.03),
-  ('ceiling', 6, 'edge_free_top', -0.0003696, 0.3167),
-  ('ceiling', 6, 'edge_joined', 0.2974, 0.1703),
-  ('ceiling', 6, 'edge_unseen', 0.08542, 0.1202),
-  ('ceiling', 6, 'height', 2.51, 0.03214),
-  ('ceiling', 6, 'length', 0.1472, 0.4874),
-  ('ceiling', 6, 'rectangularity', 0.6973, 0.08903),
-  ('ceiling', 6, 'spread_length', 0.06551, 0.4478),
-  ('ceiling', 6, 'spread_width', -0.9455, 0.489),
-  ('ceiling', 6, 'tilt_deg', 0.251, 0.5367),
-  ('ceiling', 6, 'width', -0.8566, 0.6345),
-  ('ceiling', 6, 'z_max', 2.506, 0.0225),
-  ('ceiling', 6, 'z_min', 2.508, 0.02375);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 7, 0.07651, '');
+  ('ceiling', 6, 'aspect', 0.4758, 0.2729),
+  ('ceiling', 6, 'behind', 0.0001513, 0.03),
+  ('ceiling', 6, 'corner_offset', 0.6449, 0.7774),
+  ('ceiling', 6, 'edge_concave', 0.5029, 0.1116),
+  ('ceiling', 6, 'edge_convex', 0.0002014, 0.03),
+  ('ceiling', 6, 'edge_free', 0.0002455, 0.03),
+  ('ceiling', 6, 'edge_free_top', -0.0003792, 0.3221),
+  ('ceiling', 6, 'edge_unseen', 0.2929, 0.07203),
+  ('ceiling', 6, 'headroom', -0.01127, 0.3296),
+  ('ceiling', 6, 'height', 3.372, 0.3163),
+  ('ceiling', 6, 'lift', 2.215, 0.1253),
+  ('ceiling', 6, 'rectangularity', 0.6251, 0.1086),
+  ('ceiling', 6, 'spread_length', 1.363, 0.2351),
+  ('ceiling', 6, 'spread_width', 0.7126, 0.2914),
+  ('ceiling', 6, 'standoff', -0.0002609, 0.3162),
+  ('ceiling', 6, 'tilt_deg', 0.01734, 0.45),
+  ('ceiling', 6, 'wall_offset', 0.01538, 0.3167),
+  ('ceiling', 6, 'width', 1.003, 0.352),
+  ('ceiling', 6, 'z_max', 3.372, 0.3315),
+  ('ceiling', 6, 'z_min', 3.369, 0.3332);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 7, 0.04527, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 7, 'area_m2', 2.042, 0.2847),
-  ('ceiling', 7, 'aspect', 0.3874, 0.2492),
-  ('ceiling', 7, 'behind', 0.0003747, 0.03),
-  ('ceiling', 7, 'edge_free', 0.0003626, 0.03),
-  ('ceiling', 7, 'edge_free_top', 0.0001282, 0.3166),
-  ('ceiling', 7, 'edge_joined', 0.5269, 0.1773),
-  ('ceiling', 7, 'edge_unseen', 0.3288, 0.0752),
-  ('ceiling', 7, 'height', 2.65, 0.07014),
-  ('ceiling', 7, 'length', 1.443, 0.1473),
-  ('ceiling', 7, 'rectangularity', 0.6434, 0.1197),
-  ('ceiling', 7, 'spread_length', 1.314, 0.122),
-  ('ceiling', 7, 'spread_width', 0.7495, 0.1727),
-  ('ceiling', 7, 'tilt_deg', 0.01073, 0.45),
-  ('ceiling', 7, 'width', 1.057, 0.2117),
-  ('ceiling', 7, 'z_max', 2.65, 0.06968),
-  ('ceiling', 7, 'z_min', 2.649, 0.07057);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 8, 0.08526, '');
+  ('ceiling', 7, 'aspect', 0.4701, 0.3813),
+  ('ceiling', 7, 'behind', 0.000218, 0.03531),
+  ('ceiling', 7, 'corner_offset', 0.1251, 0.07675),
+  ('ceiling', 7, 'edge_concave', 0.5287, 0.07962),
+  ('ceiling', 7, 'edge_convex', 0.0002148, 0.03021),
+  ('ceiling', 7, 'edge_free', 0.0001537, 0.03003),
+  ('ceiling', 7, 'edge_free_top', 4.283e-05, 0.3183),
+  ('ceiling', 7, 'edge_unseen', 0.566, 0.0535),
+  ('ceiling', 7, 'headroom', -0.07115, 0.2636),
+  ('ceiling', 7, 'height', 3.162, 0.3026),
+  ('ceiling', 7, 'lift', 2.059, 0.4029),
+  ('ceiling', 7, 'rectangularity', 0.6085, 0.09873),
+  ('ceiling', 7, 'spread_length', -0.554, 0.5358),
+  ('ceiling', 7, 'spread_width', -1.188, 0.4906),
+  ('ceiling', 7, 'standoff', -0.0001946, 0.316),
+  ('ceiling', 7, 'tilt_deg', 0.5795, 0.8158),
+  ('ceiling', 7, 'wall_offset', 0.001466, 0.3186),
+  ('ceiling', 7, 'width', -0.9053, 0.481),
+  ('ceiling', 7, 'z_max', 3.175, 0.322),
+  ('ceiling', 7, 'z_min', 3.128, 0.1222);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 8, 0.06705, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 8, 'area_m2', 1.637, 1.003),
-  ('ceiling', 8, 'aspect', 0.4938, 0.3429),
-  ('ceiling', 8, 'behind', 0.0003282, 0.03),
-  ('ceiling', 8, 'edge_free', 0.0003673, 0.03),
-  ('ceiling', 8, 'edge_free_top', -8.728e-06, 0.3174),
-  ('ceiling', 8, 'edge_joined', 0.1604, 0.0787),
-  ('ceiling', 8, 'edge_unseen', 0.2807, 0.08636),
-  ('ceiling', 8, 'height', 3.537, 0.2018),
-  ('ceiling', 8, 'length', 1.307, 0.4582),
-  ('ceiling', 8, 'rectangularity', 0.6306, 0.1125),
-  ('ceiling', 8, 'spread_length', 1.179, 0.4363),
-  ('ceiling', 8, 'spread_width', 0.5151, 0.5872),
-  ('ceiling', 8, 'tilt_deg', 0.05236, 0.45),
-  ('ceiling', 8, 'width', 0.8045, 0.6339),
-  ('ceiling', 8, 'z_max', 3.547, 0.2069),
-  ('ceiling', 8, 'z_min', 3.544, 0.2076);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 9, 0.04625, '');
+  ('ceiling', 8, 'aspect', 0.7246, 0.477),
+  ('ceiling', 8, 'behind', 0.00796, 0.03001),
+  ('ceiling', 8, 'corner_offset', 1.118, 1.729),
+  ('ceiling', 8, 'edge_concave', 0.4457, 0.1061),
+  ('ceiling', 8, 'edge_convex', 0.0003655, 0.03115),
+  ('ceiling', 8, 'edge_free', 0.001712, 0.03269),
+  ('ceiling', 8, 'edge_free_top', -0.003161, 0.3248),
+  ('ceiling', 8, 'edge_unseen', 0.3992, 0.1425),
+  ('ceiling', 8, 'headroom', -0.08576, 0.2446),
+  ('ceiling', 8, 'height', 3.212, 0.5353),
+  ('ceiling', 8, 'lift', 2.252, 0.1157),
+  ('ceiling', 8, 'rectangularity', 0.6173, 0.05167),
+  ('ceiling', 8, 'spread_length', 0.1475, 0.3742),
+  ('ceiling', 8, 'spread_width', -0.6861, 0.4366),
+  ('ceiling', 8, 'standoff', -0.001669, 0.3179),
+  ('ceiling', 8, 'tilt_deg', 0.1687, 0.45),
+  ('ceiling', 8, 'wall_offset', 0.008873, 0.3235),
+  ('ceiling', 8, 'width', -0.4412, 0.4729),
+  ('ceiling', 8, 'z_max', 3.176, 0.5732),
+  ('ceiling', 8, 'z_min', 3.215, 0.5334);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 9, 0.08426, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 9, 'area_m2', 0.1259, 0.8474),
-  ('ceiling', 9, 'aspect', 0.9217, 0.5047),
-  ('ceiling', 9, 'behind', 0.2501, 0.1782),
-  ('ceiling', 9, 'edge_free', 0.1918, 0.1593),
-  ('ceiling', 9, 'edge_free_top', -0.0008619, 0.318),
-  ('ceiling', 9, 'edge_joined', 0.3743, 0.2291),
-  ('ceiling', 9, 'edge_unseen', 0.2491, 0.1283),
-  ('ceiling', 9, 'height', 2.727, 0.2519),
-  ('ceiling', 9, 'length', 0.71, 0.5058),
-  ('ceiling', 9, 'rectangularity', 0.696, 0.08309),
-  ('ceiling', 9, 'spread_length', 0.5785, 0.4829),
-  ('ceiling', 9, 'spread_width', -0.4618, 0.3768),
-  ('ceiling', 9, 'tilt_deg', 0.08578, 0.45),
-  ('ceiling', 9, 'width', -0.2227, 0.4296),
-  ('ceiling', 9, 'z_max', 2.719, 0.2619),
-  ('ceiling', 9, 'z_min', 2.723, 0.2578);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('ceiling', 10, 0.01868, '');
-INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('ceiling', 10, 'area_m2', 0.9066, 0.519),
-  ('ceiling', 10, 'aspect', 0.8069, 0.3729),
-  ('ceiling', 10, 'behind', 0.2523, 0.05269),
-  ('ceiling', 10, 'edge_free', 0.2968, 0.07532),
-  ('ceiling', 10, 'edge_free_top', 0.00014, 0.3164),
-  ('ceiling', 10, 'edge_joined', 0.2636, 0.08302),
-  ('ceiling', 10, 'edge_unseen', 0.1578, 0.05491),
-  ('ceiling', 10, 'height', 3.249, 0.1766),
-  ('ceiling', 10, 'length', 0.9488, 0.3552),
-  ('ceiling', 10, 'rectangularity', 0.8405, 0.05451),
-  ('ceiling', 10, 'spread_length', 0.8426, 0.3168),
-  ('ceiling', 10, 'spread_width', 0.03445, 0.2915),
-  ('ceiling', 10, 'tilt_deg', 0.03829, 0.45),
-  ('ceiling', 10, 'width', 0.1386, 0.3053),
-  ('ceiling', 10, 'z_max', 3.25, 0.1787),
-  ('ceiling', 10, 'z_min', 3.249, 0.1786);
+  ('ceiling', 9, 'aspect', 0.8509, 0.3189),
+  ('ceiling', 9, 'behind', 0.3488, 0.1126),
+  ('ceiling', 9, 'corner_offset', 0.4233, 0.3828),
+  ('ceiling', 9, 'edge_concave', 0.4894, 0.1563),
+  ('ceiling', 9, 'edge_convex', 0.1655, 0.1215),
+  ('ceiling', 9, 'edge_free', 0.2848, 0.1279),
+  ('ceiling', 9, 'edge_free_top', -0.001972, 0.3185),
+  ('ceiling', 9, 'edge_unseen', 0.1971, 0.1011),
+  ('ceiling', 9, 'headroom', -0.1082, 0.1816),
+  ('ceiling', 9, 'height', 2.937, 0.348),
+  ('ceiling', 9, 'lift', 2.223, 0.1067),
+  ('ceiling', 9, 'rectangularity', 0.7418, 0.09577),
+  ('ceiling', 9, 'spread_length', 0.6932, 0.4814),
+  ('ceiling', 9, 'spread_width', -0.2631, 0.349),
+  ('ceiling', 9, 'standoff', -0.002462, 0.3132),
+  ('ceiling', 9, 'tilt_deg', 0.01209, 0.45),
+  ('ceiling', 9, 'wall_offset', 0.001457, 0.3106),
+  ('ceiling', 9, 'width', -0.08189, 0.3189),
+  ('ceiling', 9, 'z_max', 2.914, 0.341),
+  ('ceiling', 9, 'z_min', 2.932, 0.3378);
 
 -- wall: 2606 examples
-UPDATE object_class SET prior = 0.1642 WHERE name = 'wall';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'area_m2', 0.5508, 1.424)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.2567 WHERE name = 'wall';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'aspect', 0.6595, 0.4893)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'behind', 0.09451, 0.1817)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'corner_offset', 1.417, 1.056)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_concave', 0.4189, 0.2421)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_convex', 0.04017, 0.1054)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_free', 0.1187, 0.2184)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_free_top', 0.09604, 0.2348)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_joined', 0.2309, 0.2512)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'edge_unseen', 0.1787, 0.194)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'headroom', 0.1117, 0.534)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'height', 1.383, 0.4693)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'length', 0.8326, 0.6625)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'lift', 0.1415, 0.305)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'rectangularity', 0.657, 0.1531)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1502,7 +1806,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'spread_
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'spread_width', -0.07998, 0.8705)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'standoff', 0.7228, 0.5134)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'tilt_deg', 89.65, 0.9935)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'wall_offset', 2.645, 2.663)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'width', 0.1691, 0.8783)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1512,204 +1820,246 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('wall', 'z_min',
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'wall';
 DELETE FROM class_density WHERE class = 'wall';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 1, 0.1652, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 1, 0.0517, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 1, 'area_m2', 1.982, 0.3839),
-  ('wall', 1, 'aspect', 0.538, 0.306),
-  ('wall', 1, 'behind', -0.001521, 0.03),
-  ('wall', 1, 'edge_free', 0.005195, 0.03),
-  ('wall', 1, 'edge_free_top', 0.000386, 0.03),
-  ('wall', 1, 'edge_joined', 0.1004, 0.09206),
-  ('wall', 1, 'edge_unseen', 0.08195, 0.131),
-  ('wall', 1, 'height', 1.568, 0.2196),
-  ('wall', 1, 'length', 1.429, 0.2137),
-  ('wall', 1, 'rectangularity', 0.6873, 0.1386),
-  ('wall', 1, 'spread_length', 1.132, 0.2036),
-  ('wall', 1, 'spread_width', 0.7004, 0.1297),
-  ('wall', 1, 'tilt_deg', 90.08, 0.45),
-  ('wall', 1, 'width', 1.082, 0.07659),
-  ('wall', 1, 'z_max', 2.934, 0.3828),
-  ('wall', 1, 'z_min', -0.0136, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 2, 0.08436, '');
+  ('wall', 1, 'aspect', 0.521, 0.3625),
+  ('wall', 1, 'behind', -0.005708, 0.03),
+  ('wall', 1, 'corner_offset', 1.82, 1.305),
+  ('wall', 1, 'edge_concave', 0.5724, 0.1278),
+  ('wall', 1, 'edge_convex', 0.001659, 0.031),
+  ('wall', 1, 'edge_free', 0.0143, 0.03945),
+  ('wall', 1, 'edge_free_top', 0.002792, 0.03051),
+  ('wall', 1, 'edge_unseen', 0.1361, 0.1852),
+  ('wall', 1, 'headroom', -0.02001, 0.03),
+  ('wall', 1, 'height', 1.593, 0.3415),
+  ('wall', 1, 'lift', 0.1652, 0.08057),
+  ('wall', 1, 'rectangularity', 0.5832, 0.1891),
+  ('wall', 1, 'spread_length', 1.1, 0.2322),
+  ('wall', 1, 'spread_width', 0.7267, 0.1183),
+  ('wall', 1, 'standoff', 0.7283, 0.1664),
+  ('wall', 1, 'tilt_deg', 90.19, 0.45),
+  ('wall', 1, 'wall_offset', 2.98, 2.852),
+  ('wall', 1, 'width', 1.084, 0.1001),
+  ('wall', 1, 'z_max', 2.998, 0.4049),
+  ('wall', 1, 'z_min', -0.02267, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 2, 0.2395, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 2, 'area_m2', 1.109, 0.4044),
-  ('wall', 2, 'aspect', 0.5162, 0.4158),
-  ('wall', 2, 'behind', -0.007752, 0.03),
-  ('wall', 2, 'edge_free', 0.0129, 0.03545),
-  ('wall', 2, 'edge_free_top', 0.0005096, 0.03008),
-  ('wall', 2, 'edge_joined', 0.3069, 0.1752),
-  ('wall', 2, 'edge_unseen', 0.3292, 0.1132),
-  ('wall', 2, 'height', 1.6, 0.2988),
-  ('wall', 2, 'length', 1.058, 0.2383),
-  ('wall', 2, 'rectangularity', 0.6222, 0.1306),
-  ('wall', 2, 'spread_length', 0.7382, 0.2065),
-  ('wall', 2, 'spread_width', 0.2114, 0.2771),
-  ('wall', 2, 'tilt_deg', 90.15, 0.45),
-  ('wall', 2, 'width', 0.563, 0.3108),
-  ('wall', 2, 'z_max', 2.736, 0.1559),
-  ('wall', 2, 'z_min', 0.3337, 0.3341);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 3, 0.1389, '');
+  ('wall', 2, 'aspect', 0.6721, 0.4972),
+  ('wall', 2, 'behind', -0.01283, 0.03),
+  ('wall', 2, 'corner_offset', -0.3799, 1.446),
+  ('wall', 2, 'edge_concave', 0.2653, 0.2909),
+  ('wall', 2, 'edge_convex', 0.0002817, 0.03),
+  ('wall', 2, 'edge_free', 0.003271, 0.03425),
+  ('wall', 2, 'edge_free_top', -0.00371, 0.03),
+  ('wall', 2, 'edge_unseen', 0.03948, 0.1507),
+  ('wall', 2, 'headroom', 1.072, 18.76),
+  ('wall', 2, 'height', 0.713, 0.3295),
+  ('wall', 2, 'lift', 0.05978, 0.8817),
+  ('wall', 2, 'rectangularity', 0.737, 0.2304),
+  ('wall', 2, 'spread_length', -0.2891, 0.7926),
+  ('wall', 2, 'spread_width', -1.147, 0.6569),
+  ('wall', 2, 'standoff', 0.3403, 0.6128),
+  ('wall', 2, 'tilt_deg', 89.08, 0.4527),
+  ('wall', 2, 'wall_offset', -1.36, 1.096),
+  ('wall', 2, 'width', -1.012, 0.7661),
+  ('wall', 2, 'z_max', 1.251, 0.6748),
+  ('wall', 2, 'z_min', -0.02654, 0.02618);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 3, 0.1439, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 3, 'area_m2', -0.007688, 0.5145),
-  ('wall', 3, 'aspect', 0.884, 0.4317),
-  ('wall', 3, 'behind', -0.0009344, 0.03),
-  ('wall', 3, 'edge_free', -0.00176, 0.03474),
-  ('wall', 3, 'edge_free_top', -0.004622, 0.03001),
-  ('wall', 3, 'edge_joined', 0.173, 0.1782),
-  ('wall', 3, 'edge_unseen', 0.4438, 0.1344),
-  ('wall', 3, 'height', 1.122, 0.2145),
-  ('wall', 3, 'length', 0.6128, 0.3328),
-  ('wall', 3, 'rectangularity', 0.6783, 0.08553),
-  ('wall', 3, 'spread_length', 0.3594, 0.4448),
-  ('wall', 3, 'spread_width', -0.4574, 0.4766),
-  ('wall', 3, 'tilt_deg', 87.93, 0.45),
-  ('wall', 3, 'width', -0.2262, 0.5652),
-  ('wall', 3, 'z_max', 1.763, 0.431),
-  ('wall', 3, 'z_min', 0.2354, 0.2326);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 4, 0.08646, '');
+  ('wall', 3, 'aspect', 0.7841, 0.4505),
+  ('wall', 3, 'behind', -0.002719, 0.03),
+  ('wall', 3, 'corner_offset', 0.2567, 0.1552),
+  ('wall', 3, 'edge_concave', 0.3161, 0.1626),
+  ('wall', 3, 'edge_convex', 0.002772, 0.03),
+  ('wall', 3, 'edge_free', -0.002959, 0.03),
+  ('wall', 3, 'edge_free_top', -0.017, 0.03),
+  ('wall', 3, 'edge_unseen', 0.416, 0.1047),
+  ('wall', 3, 'headroom', -0.009784, 0.03),
+  ('wall', 3, 'height', 1.405, 0.2302),
+  ('wall', 3, 'lift', 0.0374, 0.2083),
+  ('wall', 3, 'rectangularity', 0.6694, 0.07292),
+  ('wall', 3, 'spread_length', 0.6663, 0.3031),
+  ('wall', 3, 'spread_width', -0.1663, 0.2102),
+  ('wall', 3, 'standoff', 1.159, 0.1953),
+  ('wall', 3, 'tilt_deg', 90.48, 0.4502),
+  ('wall', 3, 'wall_offset', 3.432, 2.816),
+  ('wall', 3, 'width', 0.2105, 0.5234),
+  ('wall', 3, 'z_max', 2.432, 0.7118),
+  ('wall', 3, 'z_min', 0.5032, 0.137);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 4, 0.02767, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 4, 'area_m2', -1.96, 1.012),
-  ('wall', 4, 'aspect', 0.6898, 0.578),
-  ('wall', 4, 'behind', -0.01077, 0.03),
-  ('wall', 4, 'edge_free', -0.001969, 0.03),
-  ('wall', 4, 'edge_free_top', -0.002653, 0.03),
-  ('wall', 4, 'edge_joined', 0.09657, 0.2168),
-  ('wall', 4, 'edge_unseen', 0.1367, 0.2223),
-  ('wall', 4, 'height', 0.5849, 0.4309),
-  ('wall', 4, 'length', -0.3218, 0.6218),
-  ('wall', 4, 'rectangularity', 0.7646, 0.1785),
-  ('wall', 4, 'spread_length', -0.3858, 0.6569),
-  ('wall', 4, 'spread_width', -1.355, 0.6085),
-  ('wall', 4, 'tilt_deg', 88.75, 1.025),
-  ('wall', 4, 'width', -1.159, 0.5669),
-  ('wall', 4, 'z_max', 1.036, 0.8862),
-  ('wall', 4, 'z_min', -0.03382, 0.1171);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 5, 0.04937, '');
+  ('wall', 4, 'aspect', 0.4343, 0.2065),
+  ('wall', 4, 'behind', 0.1744, 0.145),
+  ('wall', 4, 'corner_offset', 1.766, 1.029),
+  ('wall', 4, 'edge_concave', 0.5454, 0.2003),
+  ('wall', 4, 'edge_convex', 0.047, 0.06365),
+  ('wall', 4, 'edge_free', 0.1385, 0.1128),
+  ('wall', 4, 'edge_free_top', 0.07474, 0.1105),
+  ('wall', 4, 'edge_unseen', 0.1156, 0.137),
+  ('wall', 4, 'headroom', -0.1792, 0.3587),
+  ('wall', 4, 'height', 1.464, 0.3375),
+  ('wall', 4, 'lift', 0.1492, 0.1048),
+  ('wall', 4, 'rectangularity', 0.4777, 0.0935),
+  ('wall', 4, 'spread_length', 1.247, 0.2609),
+  ('wall', 4, 'spread_width', 0.7979, 0.1806),
+  ('wall', 4, 'standoff', 0.5001, 0.1387),
+  ('wall', 4, 'tilt_deg', 90.02, 0.4518),
+  ('wall', 4, 'wall_offset', 4.051, 3.495),
+  ('wall', 4, 'width', 1.027, 0.08175),
+  ('wall', 4, 'z_max', 2.779, 0.4215),
+  ('wall', 4, 'z_min', -0.01765, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 5, 0.08281, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 5, 'area_m2', 1.835, 0.3234),
-  ('wall', 5, 'aspect', 0.4243, 0.2179),
-  ('wall', 5, 'behind', 0.1544, 0.1273),
-  ('wall', 5, 'edge_free', 0.1376, 0.08346),
-  ('wall', 5, 'edge_free_top', 0.08206, 0.114),
-  ('wall', 5, 'edge_joined', 0.1066, 0.1073),
-  ('wall', 5, 'edge_unseen', 0.1054, 0.1262),
-  ('wall', 5, 'height', 1.544, 0.2055),
-  ('wall', 5, 'length', 1.4, 0.2054),
-  ('wall', 5, 'rectangularity', 0.5351, 0.1181),
-  ('wall', 5, 'spread_length', 1.279, 0.21),
-  ('wall', 5, 'spread_width', 0.8276, 0.1482),
-  ('wall', 5, 'tilt_deg', 90.02, 0.45),
-  ('wall', 5, 'width', 1.028, 0.09147),
-  ('wall', 5, 'z_max', 2.828, 0.2777),
-  ('wall', 5, 'z_min', -0.01439, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 6, 0.09969, '');
+  ('wall', 5, 'aspect', 1.192, 0.4326),
+  ('wall', 5, 'behind', 0.09088, 0.1954),
+  ('wall', 5, 'corner_offset', 1.902, 0.8266),
+  ('wall', 5, 'edge_concave', 0.07662, 0.1556),
+  ('wall', 5, 'edge_convex', 0.1319, 0.1723),
+  ('wall', 5, 'edge_free', 0.6509, 0.328),
+  ('wall', 5, 'edge_free_top', 0.1329, 0.1666),
+  ('wall', 5, 'edge_unseen', 0.4386, 0.2627),
+  ('wall', 5, 'headroom', 0.5201, 0.1259),
+  ('wall', 5, 'height', 1.246, 0.1624),
+  ('wall', 5, 'lift', -0.1079, 0.1405),
+  ('wall', 5, 'rectangularity', 0.8003, 0.2173),
+  ('wall', 5, 'spread_length', -0.304, 0.2381),
+  ('wall', 5, 'spread_width', -0.9576, 0.3268),
+  ('wall', 5, 'standoff', 0.7378, 0.4527),
+  ('wall', 5, 'tilt_deg', 89.94, 0.4513),
+  ('wall', 5, 'wall_offset', 3.789, 2.031),
+  ('wall', 5, 'width', -0.6041, 0.4741),
+  ('wall', 5, 'z_max', 2.091, 0.4959),
+  ('wall', 5, 'z_min', 0.3911, 0.2878);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 6, 0.138, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 6, 'area_m2', 0.1795, 0.3818),
-  ('wall', 6, 'aspect', 1.401, 0.3395),
-  ('wall', 6, 'behind', 0.2125, 0.2001),
-  ('wall', 6, 'edge_free', 0.4107, 0.3804),
-  ('wall', 6, 'edge_free_top', 0.07712, 0.1141),
-  ('wall', 6, 'edge_joined', 0.1828, 0.2145),
-  ('wall', 6, 'edge_unseen', 0.01129, 0.03),
-  ('wall', 6, 'height', 1.454, 0.1439),
-  ('wall', 6, 'length', 0.9797, 0.1469),
-  ('wall', 6, 'rectangularity', 0.7961, 0.1468),
-  ('wall', 6, 'spread_length', 0.8078, 0.2101),
-  ('wall', 6, 'spread_width', -0.8268, 0.3309),
-  ('wall', 6, 'tilt_deg', 90.05, 0.45),
-  ('wall', 6, 'width', -0.4373, 0.3678),
-  ('wall', 6, 'z_max', 2.866, 0.2894),
-  ('wall', 6, 'z_min', 0.1087, 0.2467);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 7, 0.06147, '');
+  ('wall', 6, 'aspect', 1.384, 0.3755),
+  ('wall', 6, 'behind', 0.2824, 0.2125),
+  ('wall', 6, 'corner_offset', 1.348, 0.7608),
+  ('wall', 6, 'edge_concave', 0.3509, 0.272),
+  ('wall', 6, 'edge_convex', 0.0356, 0.07591),
+  ('wall', 6, 'edge_free', 0.3858, 0.3529),
+  ('wall', 6, 'edge_free_top', 0.07062, 0.0998),
+  ('wall', 6, 'edge_unseen', -0.001362, 0.03),
+  ('wall', 6, 'headroom', 0.002914, 0.0385),
+  ('wall', 6, 'height', 1.555, 0.16),
+  ('wall', 6, 'lift', 0.009164, 0.131),
+  ('wall', 6, 'rectangularity', 0.8702, 0.06823),
+  ('wall', 6, 'spread_length', 0.8057, 0.2563),
+  ('wall', 6, 'spread_width', -0.7558, 0.3301),
+  ('wall', 6, 'standoff', 0.8612, 0.4724),
+  ('wall', 6, 'tilt_deg', 90.15, 0.45),
+  ('wall', 6, 'wall_offset', 1.126, 0.3625),
+  ('wall', 6, 'width', -0.2556, 0.3294),
+  ('wall', 6, 'z_max', 2.767, 0.2141),
+  ('wall', 6, 'z_min', 0.2594, 0.406);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 7, 0.1097, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 7, 'area_m2', 0.8042, 0.401),
-  ('wall', 7, 'aspect', 0.2576, 0.1947),
-  ('wall', 7, 'behind', 0.3699, 0.1402),
-  ('wall', 7, 'edge_free', 0.4329, 0.2561),
-  ('wall', 7, 'edge_free_top', 0.5633, 0.3738),
-  ('wall', 7, 'edge_joined', 0.2498, 0.2372),
-  ('wall', 7, 'edge_unseen', 0.1721, 0.1577),
-  ('wall', 7, 'height', 1.225, 0.3325),
-  ('wall', 7, 'length', 0.9239, 0.2433),
-  ('wall', 7, 'rectangularity', 0.7055, 0.2067),
-  ('wall', 7, 'spread_length', 0.6292, 0.2297),
-  ('wall', 7, 'spread_width', 0.1218, 0.2921),
-  ('wall', 7, 'tilt_deg', 90.01, 0.45),
-  ('wall', 7, 'width', 0.4574, 0.1133),
-  ('wall', 7, 'z_max', 2.221, 0.8996),
-  ('wall', 7, 'z_min', 0.009587, 0.1717);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 8, 0.1736, '');
+  ('wall', 7, 'aspect', 0.6428, 0.337),
+  ('wall', 7, 'behind', 0.1199, 0.22),
+  ('wall', 7, 'corner_offset', 0.7853, 0.9408),
+  ('wall', 7, 'edge_concave', 0.3257, 0.2428),
+  ('wall', 7, 'edge_convex', 0.1448, 0.2168),
+  ('wall', 7, 'edge_free', 0.07642, 0.1212),
+  ('wall', 7, 'edge_free_top', 0.001589, 0.03),
+  ('wall', 7, 'edge_unseen', 0.2129, 0.2505),
+  ('wall', 7, 'headroom', -0.004826, 0.03),
+  ('wall', 7, 'height', 2.444, 0.1823),
+  ('wall', 7, 'lift', 0.1537, 0.2511),
+  ('wall', 7, 'rectangularity', 0.6942, 0.1356),
+  ('wall', 7, 'spread_length', -0.1223, 0.6841),
+  ('wall', 7, 'spread_width', -0.683, 0.4299),
+  ('wall', 7, 'standoff', 0.2041, 0.2191),
+  ('wall', 7, 'tilt_deg', 89.75, 0.4572),
+  ('wall', 7, 'wall_offset', 2.607, 2.432),
+  ('wall', 7, 'width', -0.5232, 0.5244),
+  ('wall', 7, 'z_max', 3.08, 0.2881),
+  ('wall', 7, 'z_min', 1.701, 0.4613);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 8, 0.05225, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 8, 'area_m2', -0.6499, 0.7667),
-  ('wall', 8, 'aspect', 0.769, 0.3344),
-  ('wall', 8, 'behind', 0.1775, 0.21),
-  ('wall', 8, 'edge_free', 0.08516, 0.1233),
-  ('wall', 8, 'edge_free_top', 0.004667, 0.03),
-  ('wall', 8, 'edge_joined', 0.3636, 0.3212),
-  ('wall', 8, 'edge_unseen', 0.195, 0.2628),
-  ('wall', 8, 'height', 2.162, 0.4137),
-  ('wall', 8, 'length', 0.2578, 0.4126),
-  ('wall', 8, 'rectangularity', 0.6713, 0.1152),
-  ('wall', 8, 'spread_length', -0.06952, 0.5628),
-  ('wall', 8, 'spread_width', -0.7581, 0.3679),
-  ('wall', 8, 'tilt_deg', 89.97, 0.45),
-  ('wall', 8, 'width', -0.5557, 0.5028),
-  ('wall', 8, 'z_max', 2.847, 0.2073),
-  ('wall', 8, 'z_min', 1.436, 0.6124);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 9, 0.03491, '');
+  ('wall', 8, 'aspect', 0.5694, 0.4513),
+  ('wall', 8, 'behind', 0.1417, 0.1632),
+  ('wall', 8, 'corner_offset', 2.524, 2.136),
+  ('wall', 8, 'edge_concave', 0.3715, 0.085),
+  ('wall', 8, 'edge_convex', 0.1367, 0.1464),
+  ('wall', 8, 'edge_free', 0.2044, 0.146),
+  ('wall', 8, 'edge_free_top', 0.3493, 0.3053),
+  ('wall', 8, 'edge_unseen', 0.2755, 0.08476),
+  ('wall', 8, 'headroom', -0.4899, 0.1861),
+  ('wall', 8, 'height', 1.404, 0.2682),
+  ('wall', 8, 'lift', -0.02866, 0.06997),
+  ('wall', 8, 'rectangularity', 0.4996, 0.09887),
+  ('wall', 8, 'spread_length', 0.7039, 0.1504),
+  ('wall', 8, 'spread_width', -0.02239, 0.4107),
+  ('wall', 8, 'standoff', 0.8437, 0.4241),
+  ('wall', 8, 'tilt_deg', 90.03, 0.45),
+  ('wall', 8, 'wall_offset', 3.825, 2.892),
+  ('wall', 8, 'width', 0.4399, 0.3524),
+  ('wall', 8, 'z_max', 2.783, 0.1929),
+  ('wall', 8, 'z_min', 0.2376, 0.301);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 9, 0.03642, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 9, 'area_m2', -1.674, 0.8246),
-  ('wall', 9, 'aspect', 1.137, 0.2969),
-  ('wall', 9, 'behind', 0.2623, 0.1707),
-  ('wall', 9, 'edge_free', 0.4121, 0.3688),
-  ('wall', 9, 'edge_free_top', 0.3342, 0.3141),
-  ('wall', 9, 'edge_joined', 0.2037, 0.2815),
-  ('wall', 9, 'edge_unseen', 0.3, 0.2621),
-  ('wall', 9, 'height', 0.9693, 0.6952),
-  ('wall', 9, 'length', -0.1949, 0.525),
-  ('wall', 9, 'rectangularity', 0.7295, 0.1083),
-  ('wall', 9, 'spread_length', -0.5507, 0.451),
-  ('wall', 9, 'spread_width', -1.354, 0.3253),
-  ('wall', 9, 'tilt_deg', 89.43, 0.8192),
-  ('wall', 9, 'width', -1.105, 0.4802),
-  ('wall', 9, 'z_max', 1.579, 0.9404),
-  ('wall', 9, 'z_min', 0.3148, 0.3669);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 10, 0.05603, '');
+  ('wall', 9, 'aspect', 1.025, 0.2703),
+  ('wall', 9, 'behind', 0.3557, 0.1484),
+  ('wall', 9, 'corner_offset', 1.147, 0.1973),
+  ('wall', 9, 'edge_concave', 0.3131, 0.2917),
+  ('wall', 9, 'edge_convex', 0.04053, 0.07043),
+  ('wall', 9, 'edge_free', 0.2004, 0.1305),
+  ('wall', 9, 'edge_free_top', 0.3602, 0.3035),
+  ('wall', 9, 'edge_unseen', 0.1083, 0.1652),
+  ('wall', 9, 'headroom', 2.164, 0.5258),
+  ('wall', 9, 'height', 0.8392, 0.7661),
+  ('wall', 9, 'lift', 0.2658, 0.5565),
+  ('wall', 9, 'rectangularity', 0.6915, 0.07119),
+  ('wall', 9, 'spread_length', -0.2928, 0.7338),
+  ('wall', 9, 'spread_width', -1.357, 0.331),
+  ('wall', 9, 'standoff', 0.2884, 0.3826),
+  ('wall', 9, 'tilt_deg', 89.64, 1.907),
+  ('wall', 9, 'wall_offset', 1.744, 1.912),
+  ('wall', 9, 'width', -0.9658, 0.72),
+  ('wall', 9, 'z_max', 1.357, 0.8177),
+  ('wall', 9, 'z_min', 0.02246, 0.3716);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('wall', 10, 0.0681, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('wall', 10, 'area_m2', -0.1994, 0.4679),
-  ('wall', 10, 'aspect', 0.9887, 0.2764),
-  ('wall', 10, 'behind', 0.1836, 0.1884),
-  ('wall', 10, 'edge_free', 0.5461, 0.2992),
-  ('wall', 10, 'edge_free_top', 0.6546, 0.4535),
-  ('wall', 10, 'edge_joined', 0.06197, 0.1099),
-  ('wall', 10, 'edge_unseen', 0.346, 0.2092),
-  ('wall', 10, 'height', 1.046, 0.3526),
-  ('wall', 10, 'length', 0.5112, 0.2968),
-  ('wall', 10, 'rectangularity', 0.6536, 0.2305),
-  ('wall', 10, 'spread_length', 0.1482, 0.4216),
-  ('wall', 10, 'spread_width', -0.708, 0.2642),
-  ('wall', 10, 'tilt_deg', 87.62, 8.113),
-  ('wall', 10, 'width', -0.3556, 0.3585),
-  ('wall', 10, 'z_max', 1.752, 0.3155),
-  ('wall', 10, 'z_min', 0.1993, 0.3587);
+  ('wall', 10, 'aspect', 0.1482, 0.1456),
+  ('wall', 10, 'behind', 0.3166, 0.193),
+  ('wall', 10, 'corner_offset', 1.913, 0.916),
+  ('wall', 10, 'edge_concave', 0.1203, 0.1219),
+  ('wall', 10, 'edge_convex', 0.01056, 0.03027),
+  ('wall', 10, 'edge_free', 0.4742, 0.1853),
+  ('wall', 10, 'edge_free_top', 0.9563, 0.05619),
+  ('wall', 10, 'edge_unseen', 0.1263, 0.114),
+  ('wall', 10, 'headroom', 1.318, 0.4058),
+  ('wall', 10, 'height', 0.9387, 0.2294),
+  ('wall', 10, 'lift', 0.1631, 0.09258),
+  ('wall', 10, 'rectangularity', 0.795, 0.09579),
+  ('wall', 10, 'spread_length', 0.4738, 0.1015),
+  ('wall', 10, 'spread_width', 0.06254, 0.3396),
+  ('wall', 10, 'standoff', 1.013, 0.1817),
+  ('wall', 10, 'tilt_deg', 89.69, 0.4969),
+  ('wall', 10, 'wall_offset', 3.073, 0.9992),
+  ('wall', 10, 'width', 0.3748, 0.3221),
+  ('wall', 10, 'z_max', 1.425, 0.4003),
+  ('wall', 10, 'z_min', -0.04105, 0.1207);
 
 -- table: 770 examples
-UPDATE object_class SET prior = 0.03096 WHERE name = 'table';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'area_m2', -0.2835, 0.6143)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.04074 WHERE name = 'table';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'aspect', 0.5536, 0.2717)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'behind', 0.5326, 0.2083)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_free', 0.433, 0.2217)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'corner_offset', 0.7551, 0.5189)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_joined', 0.3102, 0.2098)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_concave', 0.2108, 0.162)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_convex', 0.05509, 0.08789)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_free', 0.433, 0.2217)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'edge_unseen', 0.109, 0.1467)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'height', 0.7303, 0.1187)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'headroom', 1.992, 0.3631)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'length', 0.3211, 0.3151)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'height', 0.7303, 0.1187)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'rectangularity', 0.7045, 0.1301)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1727,206 +2077,250 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('table', 'z_min'
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'table';
 DELETE FROM class_density WHERE class = 'table';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 1, 0.1373, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 1, 0.08864, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 1, 'area_m2', 0.1391, 0.1939),
-  ('table', 1, 'aspect', 0.6053, 0.1502),
-  ('table', 1, 'behind', 0.5342, 0.1624),
-  ('table', 1, 'edge_free', 0.5303, 0.1973),
-  ('table', 1, 'edge_free_top', -0.0007446, 0.3152),
-  ('table', 1, 'edge_joined', 0.2555, 0.163),
-  ('table', 1, 'edge_unseen', 0.08052, 0.109),
-  ('table', 1, 'height', 0.7035, 0.02255),
-  ('table', 1, 'length', 0.5234, 0.1206),
-  ('table', 1, 'rectangularity', 0.7471, 0.1246),
-  ('table', 1, 'spread_length', 0.4032, 0.1135),
-  ('table', 1, 'spread_width', -0.2512, 0.1182),
-  ('table', 1, 'tilt_deg', 0.1619, 0.45),
-  ('table', 1, 'width', -0.09147, 0.1385),
-  ('table', 1, 'z_max', 0.7042, 0.0225),
-  ('table', 1, 'z_min', 0.7007, 0.02309);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 2, 0.09614, '');
+  ('table', 1, 'aspect', 0.4772, 0.1762),
+  ('table', 1, 'behind', 0.6209, 0.06313),
+  ('table', 1, 'corner_offset', 0.625, 0.2091),
+  ('table', 1, 'edge_concave', 0.2793, 0.1341),
+  ('table', 1, 'edge_convex', 0.06829, 0.08299),
+  ('table', 1, 'edge_free', 0.4209, 0.2076),
+  ('table', 1, 'edge_free_top', -0.0009047, 0.3143),
+  ('table', 1, 'edge_unseen', 0.08381, 0.09841),
+  ('table', 1, 'headroom', 1.974, 0.2246),
+  ('table', 1, 'height', 0.6903, 0.02253),
+  ('table', 1, 'lift', -0.001708, 0.3344),
+  ('table', 1, 'rectangularity', 0.6955, 0.1076),
+  ('table', 1, 'spread_length', 0.2643, 0.245),
+  ('table', 1, 'spread_width', -0.3311, 0.1141),
+  ('table', 1, 'standoff', -0.0002442, 0.3163),
+  ('table', 1, 'tilt_deg', 0.1767, 0.45),
+  ('table', 1, 'wall_offset', -0.003378, 0.3172),
+  ('table', 1, 'width', -0.1596, 0.09814),
+  ('table', 1, 'z_max', 0.6902, 0.0225),
+  ('table', 1, 'z_min', 0.6864, 0.02309);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 2, 0.05065, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 2, 'area_m2', 0.09538, 0.2043),
-  ('table', 2, 'aspect', 0.5375, 0.162),
-  ('table', 2, 'behind', 0.7102, 0.05031),
-  ('table', 2, 'edge_free', 0.3809, 0.2045),
-  ('table', 2, 'edge_free_top', -0.0006175, 0.3155),
-  ('table', 2, 'edge_joined', 0.3766, 0.1531),
-  ('table', 2, 'edge_unseen', 0.007059, 0.03347),
-  ('table', 2, 'height', 0.7433, 0.02335),
-  ('table', 2, 'length', 0.505, 0.1425),
-  ('table', 2, 'rectangularity', 0.7111, 0.07348),
-  ('table', 2, 'spread_length', 0.358, 0.1128),
-  ('table', 2, 'spread_width', -0.2483, 0.1236),
-  ('table', 2, 'tilt_deg', 0.08403, 0.45),
-  ('table', 2, 'width', -0.06171, 0.1387),
-  ('table', 2, 'z_max', 0.7431, 0.0225),
-  ('table', 2, 'z_min', 0.742, 0.02444);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 3, 0.1211, '');
+  ('table', 2, 'aspect', 0.4771, 0.1668),
+  ('table', 2, 'behind', 0.7166, 0.0478),
+  ('table', 2, 'corner_offset', 0.61, 0.4146),
+  ('table', 2, 'edge_concave', 0.269, 0.09016),
+  ('table', 2, 'edge_convex', 0.03977, 0.0638),
+  ('table', 2, 'edge_free', 0.3744, 0.2436),
+  ('table', 2, 'edge_free_top', -0.001747, 0.3138),
+  ('table', 2, 'edge_unseen', 0.006617, 0.03384),
+  ('table', 2, 'headroom', 1.976, 0.3631),
+  ('table', 2, 'height', 0.7455, 0.02298),
+  ('table', 2, 'lift', -0.006919, 0.339),
+  ('table', 2, 'rectangularity', 0.7211, 0.07309),
+  ('table', 2, 'spread_length', 0.2385, 0.1869),
+  ('table', 2, 'spread_width', -0.3066, 0.09132),
+  ('table', 2, 'standoff', -2.487e-05, 0.3164),
+  ('table', 2, 'tilt_deg', -0.06408, 0.45),
+  ('table', 2, 'wall_offset', -0.002424, 0.3166),
+  ('table', 2, 'width', -0.1295, 0.09764),
+  ('table', 2, 'z_max', 0.7439, 0.02253),
+  ('table', 2, 'z_min', 0.7452, 0.0226);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 3, 0.129, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 3, 'area_m2', -0.05224, 0.393),
-  ('table', 3, 'aspect', 0.6428, 0.2514),
-  ('table', 3, 'behind', 0.4548, 0.1136),
-  ('table', 3, 'edge_free', 0.5328, 0.2581),
-  ('table', 3, 'edge_free_top', -0.001119, 0.3144),
-  ('table', 3, 'edge_joined', 0.2161, 0.1629),
-  ('table', 3, 'edge_unseen', 0.1483, 0.1407),
-  ('table', 3, 'height', 0.7679, 0.0225),
-  ('table', 3, 'length', 0.5156, 0.2295),
-  ('table', 3, 'rectangularity', 0.7071, 0.1629),
-  ('table', 3, 'spread_length', 0.3198, 0.1835),
-  ('table', 3, 'spread_width', -0.3743, 0.2276),
-  ('table', 3, 'tilt_deg', 0.2212, 0.45),
-  ('table', 3, 'width', -0.1857, 0.1916),
-  ('table', 3, 'z_max', 0.7725, 0.02441),
-  ('table', 3, 'z_min', 0.7653, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 4, 0.1228, '');
+  ('table', 3, 'aspect', 0.5651, 0.2556),
+  ('table', 3, 'behind', 0.4625, 0.1992),
+  ('table', 3, 'corner_offset', 0.797, 0.2013),
+  ('table', 3, 'edge_concave', 0.2051, 0.1183),
+  ('table', 3, 'edge_convex', 0.006384, 0.03),
+  ('table', 3, 'edge_free', 0.4547, 0.2692),
+  ('table', 3, 'edge_free_top', -0.003477, 0.3121),
+  ('table', 3, 'edge_unseen', 0.2189, 0.1501),
+  ('table', 3, 'headroom', 1.847, 0.1243),
+  ('table', 3, 'height', 0.7581, 0.0225),
+  ('table', 3, 'lift', -0.01825, 0.4151),
+  ('table', 3, 'rectangularity', 0.6776, 0.1575),
+  ('table', 3, 'spread_length', 0.2498, 0.1847),
+  ('table', 3, 'spread_width', -0.3763, 0.1057),
+  ('table', 3, 'standoff', -0.0005132, 0.3176),
+  ('table', 3, 'tilt_deg', 0.09261, 0.45),
+  ('table', 3, 'wall_offset', -0.005485, 0.3209),
+  ('table', 3, 'width', -0.1779, 0.1183),
+  ('table', 3, 'z_max', 0.7602, 0.0225),
+  ('table', 3, 'z_min', 0.7571, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 4, 0.1194, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 4, 'area_m2', -0.4015, 0.2195),
-  ('table', 4, 'aspect', 0.2766, 0.1684),
-  ('table', 4, 'behind', 0.5548, 0.2558),
-  ('table', 4, 'edge_free', 0.3654, 0.2459),
-  ('table', 4, 'edge_free_top', -0.00138, 0.3141),
-  ('table', 4, 'edge_joined', 0.3248, 0.2039),
-  ('table', 4, 'edge_unseen', 0.1195, 0.1471),
-  ('table', 4, 'height', 0.7332, 0.02902),
-  ('table', 4, 'length', 0.1601, 0.1524),
-  ('table', 4, 'rectangularity', 0.6757, 0.1388),
-  ('table', 4, 'spread_length', 0.007666, 0.1541),
-  ('table', 4, 'spread_width', -0.3716, 0.09568),
-  ('table', 4, 'tilt_deg', 0.1953, 0.45),
-  ('table', 4, 'width', -0.1446, 0.09482),
-  ('table', 4, 'z_max', 0.7371, 0.03288),
-  ('table', 4, 'z_min', 0.734, 0.03142);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 5, 0.1023, '');
+  ('table', 4, 'aspect', 0.4543, 0.1951),
+  ('table', 4, 'behind', 0.3383, 0.08061),
+  ('table', 4, 'corner_offset', 1.555, 0.6167),
+  ('table', 4, 'edge_concave', 0.04819, 0.05293),
+  ('table', 4, 'edge_convex', 0.06691, 0.09671),
+  ('table', 4, 'edge_free', 0.718, 0.1763),
+  ('table', 4, 'edge_free_top', -0.003172, 0.3113),
+  ('table', 4, 'edge_unseen', 0.004491, 0.03004),
+  ('table', 4, 'headroom', 2.129, 0.3237),
+  ('table', 4, 'height', 0.7098, 0.03213),
+  ('table', 4, 'lift', -0.01134, 0.4253),
+  ('table', 4, 'rectangularity', 0.7986, 0.1071),
+  ('table', 4, 'spread_length', 0.02385, 0.3231),
+  ('table', 4, 'spread_width', -0.5087, 0.2878),
+  ('table', 4, 'standoff', -0.001359, 0.317),
+  ('table', 4, 'tilt_deg', 0.1212, 0.45),
+  ('table', 4, 'wall_offset', -0.01346, 0.327),
+  ('table', 4, 'width', -0.3791, 0.1978),
+  ('table', 4, 'z_max', 0.7112, 0.03239),
+  ('table', 4, 'z_min', 0.7092, 0.03361);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 5, 0.113, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 5, 'area_m2', -0.9097, 0.239),
-  ('table', 5, 'aspect', 0.3681, 0.1924),
-  ('table', 5, 'behind', 0.3503, 0.168),
-  ('table', 5, 'edge_free', 0.5116, 0.2203),
-  ('table', 5, 'edge_free_top', -0.001833, 0.3133),
-  ('table', 5, 'edge_joined', 0.2359, 0.1711),
-  ('table', 5, 'edge_unseen', 0.09649, 0.1413),
-  ('table', 5, 'height', 0.6904, 0.02456),
-  ('table', 5, 'length', -0.1008, 0.1504),
-  ('table', 5, 'rectangularity', 0.7142, 0.1368),
-  ('table', 5, 'spread_length', -0.2177, 0.132),
-  ('table', 5, 'spread_width', -0.6553, 0.1467),
-  ('table', 5, 'tilt_deg', 0.3209, 0.45),
-  ('table', 5, 'width', -0.4685, 0.1394),
-  ('table', 5, 'z_max', 0.6915, 0.02252),
-  ('table', 5, 'z_min', 0.6869, 0.02541);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 6, 0.08566, '');
+  ('table', 5, 'aspect', 0.8627, 0.2087),
+  ('table', 5, 'behind', 0.2639, 0.2574),
+  ('table', 5, 'corner_offset', 1.09, 0.3071),
+  ('table', 5, 'edge_concave', 0.1439, 0.1668),
+  ('table', 5, 'edge_convex', 0.04156, 0.08202),
+  ('table', 5, 'edge_free', 0.501, 0.3044),
+  ('table', 5, 'edge_free_top', -0.006473, 0.3071),
+  ('table', 5, 'edge_unseen', 0.406, 0.104),
+  ('table', 5, 'headroom', 2.233, 0.2181),
+  ('table', 5, 'height', 0.7306, 0.05309),
+  ('table', 5, 'lift', -0.04368, 1.035),
+  ('table', 5, 'rectangularity', 0.6151, 0.06593),
+  ('table', 5, 'spread_length', -0.3728, 0.3338),
+  ('table', 5, 'spread_width', -1.182, 0.2819),
+  ('table', 5, 'standoff', -0.002933, 0.3215),
+  ('table', 5, 'tilt_deg', 0.7324, 1.093),
+  ('table', 5, 'wall_offset', -0.02134, 0.3328),
+  ('table', 5, 'width', -0.9593, 0.3643),
+  ('table', 5, 'z_max', 0.7263, 0.05314),
+  ('table', 5, 'z_min', 0.7308, 0.05136);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 6, 0.1812, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 6, 'area_m2', -0.1466, 0.3101),
-  ('table', 6, 'aspect', 0.6085, 0.265),
-  ('table', 6, 'behind', 0.5532, 0.1616),
-  ('table', 6, 'edge_free', 0.4399, 0.1972),
-  ('table', 6, 'edge_free_top', -0.000703, 0.3155),
-  ('table', 6, 'edge_joined', 0.2507, 0.1612),
-  ('table', 6, 'edge_unseen', 0.0686, 0.1075),
-  ('table', 6, 'height', 0.6517, 0.02504),
-  ('table', 6, 'length', 0.4304, 0.2156),
-  ('table', 6, 'rectangularity', 0.6999, 0.1385),
-  ('table', 6, 'spread_length', 0.2895, 0.2451),
-  ('table', 6, 'spread_width', -0.3347, 0.1709),
-  ('table', 6, 'tilt_deg', 0.5821, 0.6489),
-  ('table', 6, 'width', -0.1976, 0.1471),
-  ('table', 6, 'z_max', 0.6575, 0.02441),
-  ('table', 6, 'z_min', 0.6433, 0.02508);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 7, 0.1087, '');
+  ('table', 6, 'aspect', 0.5306, 0.3058),
+  ('table', 6, 'behind', 0.2757, 0.206),
+  ('table', 6, 'corner_offset', 1.207, 0.5064),
+  ('table', 6, 'edge_concave', 0.1174, 0.1507),
+  ('table', 6, 'edge_convex', 0.002029, 0.03),
+  ('table', 6, 'edge_free', 0.4173, 0.2233),
+  ('table', 6, 'edge_free_top', -0.009495, 0.3056),
+  ('table', 6, 'edge_unseen', 0.1705, 0.1773),
+  ('table', 6, 'headroom', 2.439, 0.5115),
+  ('table', 6, 'height', 0.6522, 0.03178),
+  ('table', 6, 'lift', -0.02341, 0.4184),
+  ('table', 6, 'rectangularity', 0.6938, 0.1419),
+  ('table', 6, 'spread_length', 0.09601, 0.2735),
+  ('table', 6, 'spread_width', -0.4646, 0.2004),
+  ('table', 6, 'standoff', -0.001925, 0.3182),
+  ('table', 6, 'tilt_deg', 0.5364, 0.5786),
+  ('table', 6, 'wall_offset', -0.01928, 0.3349),
+  ('table', 6, 'width', -0.2889, 0.1655),
+  ('table', 6, 'z_max', 0.6593, 0.02939),
+  ('table', 6, 'z_min', 0.6445, 0.03852);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 7, 0.1084, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 7, 'area_m2', -0.055, 0.313),
-  ('table', 7, 'aspect', 0.492, 0.1859),
-  ('table', 7, 'behind', 0.4985, 0.1884),
-  ('table', 7, 'edge_free', 0.2623, 0.1701),
-  ('table', 7, 'edge_free_top', -0.003291, 0.3127),
-  ('table', 7, 'edge_joined', 0.5065, 0.2068),
-  ('table', 7, 'edge_unseen', 0.1233, 0.1061),
-  ('table', 7, 'height', 0.9519, 0.1362),
-  ('table', 7, 'length', 0.4098, 0.2107),
-  ('table', 7, 'rectangularity', 0.7171, 0.1422),
-  ('table', 7, 'spread_length', 0.2548, 0.2241),
-  ('table', 7, 'spread_width', -0.2499, 0.1462),
-  ('table', 7, 'tilt_deg', 0.4527, 0.5331),
-  ('table', 7, 'width', -0.103, 0.1197),
-  ('table', 7, 'z_max', 0.9652, 0.1403),
-  ('table', 7, 'z_min', 0.9508, 0.1485);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 8, 0.07593, '');
+  ('table', 7, 'aspect', 0.4556, 0.1481),
+  ('table', 7, 'behind', 0.4343, 0.1476),
+  ('table', 7, 'corner_offset', 1.308, 0.4336),
+  ('table', 7, 'edge_concave', 0.157, 0.1535),
+  ('table', 7, 'edge_convex', 0.08665, 0.09276),
+  ('table', 7, 'edge_free', 0.4013, 0.1534),
+  ('table', 7, 'edge_free_top', -0.003516, 0.3115),
+  ('table', 7, 'edge_unseen', 0.1236, 0.1137),
+  ('table', 7, 'headroom', 1.774, 0.6728),
+  ('table', 7, 'height', 0.8222, 0.02614),
+  ('table', 7, 'lift', -0.04234, 0.4236),
+  ('table', 7, 'rectangularity', 0.7476, 0.1063),
+  ('table', 7, 'spread_length', 0.09742, 0.2692),
+  ('table', 7, 'spread_width', -0.3906, 0.2092),
+  ('table', 7, 'standoff', -0.0007998, 0.3173),
+  ('table', 7, 'tilt_deg', 0.5244, 0.609),
+  ('table', 7, 'wall_offset', -0.009765, 0.3212),
+  ('table', 7, 'width', -0.2218, 0.1884),
+  ('table', 7, 'z_max', 0.8344, 0.02253),
+  ('table', 7, 'z_min', 0.8142, 0.03035);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 8, 0.1098, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 8, 'area_m2', -1.161, 0.329),
-  ('table', 8, 'aspect', 0.5056, 0.2731),
-  ('table', 8, 'behind', 0.228, 0.1545),
-  ('table', 8, 'edge_free', 0.3467, 0.2892),
-  ('table', 8, 'edge_free_top', -0.004933, 0.3118),
-  ('table', 8, 'edge_joined', 0.3761, 0.229),
-  ('table', 8, 'edge_unseen', 0.2482, 0.1465),
-  ('table', 8, 'height', 0.808, 0.1283),
-  ('table', 8, 'length', -0.09444, 0.2236),
-  ('table', 8, 'rectangularity', 0.6205, 0.1451),
-  ('table', 8, 'spread_length', -0.1972, 0.2348),
-  ('table', 8, 'spread_width', -0.8225, 0.1901),
-  ('table', 8, 'tilt_deg', 0.6924, 0.8962),
-  ('table', 8, 'width', -0.5653, 0.1764),
-  ('table', 8, 'z_max', 0.8143, 0.1294),
-  ('table', 8, 'z_min', 0.8153, 0.1357);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 9, 0.07607, '');
+  ('table', 8, 'aspect', 0.5546, 0.3055),
+  ('table', 8, 'behind', 0.2644, 0.1456),
+  ('table', 8, 'corner_offset', 0.4396, 0.7835),
+  ('table', 8, 'edge_concave', 0.2134, 0.1971),
+  ('table', 8, 'edge_convex', 0.04724, 0.07624),
+  ('table', 8, 'edge_free', 0.2448, 0.2358),
+  ('table', 8, 'edge_free_top', -0.007312, 0.3114),
+  ('table', 8, 'edge_unseen', 0.1412, 0.1181),
+  ('table', 8, 'headroom', 2.176, 0.2447),
+  ('table', 8, 'height', 1.032, 0.08667),
+  ('table', 8, 'lift', -0.1679, 0.1528),
+  ('table', 8, 'rectangularity', 0.5889, 0.1601),
+  ('table', 8, 'spread_length', 0.1881, 0.4047),
+  ('table', 8, 'spread_width', -0.3113, 0.2116),
+  ('table', 8, 'standoff', -0.003034, 0.318),
+  ('table', 8, 'tilt_deg', 0.04725, 0.45),
+  ('table', 8, 'wall_offset', -0.02158, 0.3268),
+  ('table', 8, 'width', -0.1498, 0.121),
+  ('table', 8, 'z_max', 1.032, 0.08076),
+  ('table', 8, 'z_min', 1.029, 0.09311);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 9, 0.01268, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 9, 'area_m2', -1.857, 0.7311),
-  ('table', 9, 'aspect', 0.9718, 0.2693),
-  ('table', 9, 'behind', 0.2717, 0.2358),
-  ('table', 9, 'edge_free', 0.5153, 0.2719),
-  ('table', 9, 'edge_free_top', -0.002803, 0.313),
-  ('table', 9, 'edge_joined', 0.1876, 0.1606),
-  ('table', 9, 'edge_unseen', 0.3733, 0.1042),
-  ('table', 9, 'height', 0.7195, 0.05452),
-  ('table', 9, 'length', -0.2329, 0.4361),
-  ('table', 9, 'rectangularity', 0.628, 0.07133),
-  ('table', 9, 'spread_length', -0.3942, 0.4716),
-  ('table', 9, 'spread_width', -1.365, 0.2716),
-  ('table', 9, 'tilt_deg', 1.035, 1.275),
-  ('table', 9, 'width', -1.193, 0.3729),
-  ('table', 9, 'z_max', 0.7194, 0.05619),
-  ('table', 9, 'z_min', 0.7132, 0.05668);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 10, 0.02393, '');
+  ('table', 9, 'aspect', 0.3058, 0.1745),
+  ('table', 9, 'behind', 0.5908, 0.1071),
+  ('table', 9, 'corner_offset', 1.091, 0.6747),
+  ('table', 9, 'edge_concave', 0.1885, 0.1185),
+  ('table', 9, 'edge_convex', 0.1043, 0.103),
+  ('table', 9, 'edge_free', 0.4596, 0.1649),
+  ('table', 9, 'edge_free_top', -0.00124, 0.3146),
+  ('table', 9, 'edge_unseen', 0.01277, 0.03),
+  ('table', 9, 'headroom', 1.662, 0.7081),
+  ('table', 9, 'height', 0.7286, 0.02785),
+  ('table', 9, 'lift', -0.0001433, 0.3202),
+  ('table', 9, 'rectangularity', 0.6401, 0.1101),
+  ('table', 9, 'spread_length', 0.3669, 0.09513),
+  ('table', 9, 'spread_width', -0.03191, 0.2148),
+  ('table', 9, 'standoff', -3.685e-05, 0.3163),
+  ('table', 9, 'tilt_deg', 0.1893, 0.4502),
+  ('table', 9, 'wall_offset', -0.001565, 0.316),
+  ('table', 9, 'width', 0.1633, 0.1486),
+  ('table', 9, 'z_max', 0.7314, 0.0293),
+  ('table', 9, 'z_min', 0.7255, 0.03048);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('table', 10, 0.03729, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('table', 10, 'area_m2', -0.7125, 0.6523),
-  ('table', 10, 'aspect', 0.5194, 0.1525),
-  ('table', 10, 'behind', 0.2167, 0.1385),
-  ('table', 10, 'edge_free', 0.2766, 0.1166),
-  ('table', 10, 'edge_free_top', -0.0003679, 0.3159),
-  ('table', 10, 'edge_joined', 0.1913, 0.1713),
-  ('table', 10, 'edge_unseen', 0.2002, 0.113),
-  ('table', 10, 'height', 0.05028, 0.05531),
-  ('table', 10, 'length', 0.1476, 0.3165),
-  ('table', 10, 'rectangularity', 0.6142, 0.08384),
-  ('table', 10, 'spread_length', 0.0228, 0.3222),
-  ('table', 10, 'spread_width', -0.6062, 0.3456),
-  ('table', 10, 'tilt_deg', 1.316, 0.4826),
-  ('table', 10, 'width', -0.321, 0.2734),
-  ('table', 10, 'z_max', 0.04229, 0.04413),
-  ('table', 10, 'z_min', 0.02402, 0.04459);
+  ('table', 10, 'aspect', 0.5278, 0.1584),
+  ('table', 10, 'behind', 0.2286, 0.1443),
+  ('table', 10, 'corner_offset', 0.6719, 0.09301),
+  ('table', 10, 'edge_concave', 0.1221, 0.1133),
+  ('table', 10, 'edge_convex', 0.02183, 0.03376),
+  ('table', 10, 'edge_free', 0.2779, 0.1275),
+  ('table', 10, 'edge_free_top', -0.002013, 0.3138),
+  ('table', 10, 'edge_unseen', 0.196, 0.1068),
+  ('table', 10, 'headroom', 1.99, 0.1116),
+  ('table', 10, 'height', 0.03115, 0.04061),
+  ('table', 10, 'lift', -0.0001976, 0.3165),
+  ('table', 10, 'rectangularity', 0.6093, 0.07886),
+  ('table', 10, 'spread_length', -0.06813, 0.3896),
+  ('table', 10, 'spread_width', -0.6081, 0.3219),
+  ('table', 10, 'standoff', -7.815e-05, 0.3162),
+  ('table', 10, 'tilt_deg', 1.341, 0.4685),
+  ('table', 10, 'wall_offset', -0.003368, 0.3168),
+  ('table', 10, 'width', -0.3036, 0.2423),
+  ('table', 10, 'z_max', 0.02462, 0.02434),
+  ('table', 10, 'z_min', 0.01395, 0.03069);
 
 -- flat_screen: 604 examples
-UPDATE object_class SET prior = 0.03742 WHERE name = 'flat_screen';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'area_m2', -1.865, 0.3927)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.03031 WHERE name = 'flat_screen';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'aspect', 0.3801, 0.2017)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'behind', 0.5884, 0.1355)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'corner_offset', 1.534, 0.8903)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_concave', 0.1911, 0.1719)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_convex', 0.002377, 0.01806)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_free', 0.7792, 0.1705)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_free_top', 0.9768, 0.06977)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_joined', 0.07045, 0.1069)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'edge_unseen', 0.05771, 0.1128)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'headroom', 1.592, 0.278)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'height', 1.018, 0.09436)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'length', -0.627, 0.2497)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'lift', 0.03697, 0.06344)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'rectangularity', 0.803, 0.1137)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1934,7 +2328,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', '
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'spread_width', -1.212, 0.1909)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'standoff', 0.452, 0.2654)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'tilt_deg', 85.21, 3.253)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'wall_offset', 0.9662, 1.056)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', 'width', -1.008, 0.2216)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -1944,204 +2342,248 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('flat_screen', '
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'flat_screen';
 DELETE FROM class_density WHERE class = 'flat_screen';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 1, 0.1517, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 1, 0.1323, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 1, 'area_m2', -1.595, 0.1075),
-  ('flat_screen', 1, 'aspect', 0.3365, 0.1033),
-  ('flat_screen', 1, 'behind', 0.5572, 0.1113),
-  ('flat_screen', 1, 'edge_free', 0.7482, 0.08646),
-  ('flat_screen', 1, 'edge_free_top', 0.9961, 0.03),
-  ('flat_screen', 1, 'edge_joined', 0.07281, 0.05477),
-  ('flat_screen', 1, 'edge_unseen', 0.005607, 0.03145),
-  ('flat_screen', 1, 'height', 1.007, 0.04781),
-  ('flat_screen', 1, 'length', -0.5494, 0.09321),
-  ('flat_screen', 1, 'rectangularity', 0.8232, 0.06136),
-  ('flat_screen', 1, 'spread_length', -0.6248, 0.06776),
-  ('flat_screen', 1, 'spread_width', -1.09, 0.05394),
-  ('flat_screen', 1, 'tilt_deg', 85.55, 2.651),
-  ('flat_screen', 1, 'width', -0.8535, 0.07464),
-  ('flat_screen', 1, 'z_max', 1.154, 0.06379),
-  ('flat_screen', 1, 'z_min', 0.7381, 0.04851);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 2, 0.1783, '');
+  ('flat_screen', 1, 'aspect', 0.3379, 0.09058),
+  ('flat_screen', 1, 'behind', 0.5429, 0.142),
+  ('flat_screen', 1, 'corner_offset', 1.222, 0.7754),
+  ('flat_screen', 1, 'edge_concave', 0.3235, 0.1118),
+  ('flat_screen', 1, 'edge_convex', -0.0002352, 0.03),
+  ('flat_screen', 1, 'edge_free', 0.7185, 0.06696),
+  ('flat_screen', 1, 'edge_free_top', 0.9992, 0.03),
+  ('flat_screen', 1, 'edge_unseen', 0.006431, 0.03052),
+  ('flat_screen', 1, 'headroom', 1.649, 0.258),
+  ('flat_screen', 1, 'height', 1.003, 0.04496),
+  ('flat_screen', 1, 'lift', -0.002827, 0.02502),
+  ('flat_screen', 1, 'rectangularity', 0.7809, 0.07246),
+  ('flat_screen', 1, 'spread_length', -0.6604, 0.09707),
+  ('flat_screen', 1, 'spread_width', -1.109, 0.08067),
+  ('flat_screen', 1, 'standoff', 0.6945, 0.3794),
+  ('flat_screen', 1, 'tilt_deg', 85.76, 2.226),
+  ('flat_screen', 1, 'wall_offset', 1.737, 0.4952),
+  ('flat_screen', 1, 'width', -0.8355, 0.09541),
+  ('flat_screen', 1, 'z_max', 1.121, 0.06063),
+  ('flat_screen', 1, 'z_min', 0.7025, 0.04891);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 2, 0.1982, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 2, 'area_m2', -1.416, 0.1799),
-  ('flat_screen', 2, 'aspect', 0.5602, 0.1708),
-  ('flat_screen', 2, 'behind', 0.6393, 0.06802),
-  ('flat_screen', 2, 'edge_free', 0.6049, 0.0974),
-  ('flat_screen', 2, 'edge_free_top', 0.9246, 0.1126),
-  ('flat_screen', 2, 'edge_joined', 0.1864, 0.1604),
-  ('flat_screen', 2, 'edge_unseen', 0.01849, 0.04218),
-  ('flat_screen', 2, 'height', 0.9785, 0.05191),
-  ('flat_screen', 2, 'length', -0.2846, 0.124),
-  ('flat_screen', 2, 'rectangularity', 0.6892, 0.0644),
-  ('flat_screen', 2, 'spread_length', -0.5257, 0.1531),
-  ('flat_screen', 2, 'spread_width', -1.085, 0.09538),
-  ('flat_screen', 2, 'tilt_deg', 84.01, 2.338),
-  ('flat_screen', 2, 'width', -0.7868, 0.1319),
-  ('flat_screen', 2, 'z_max', 1.154, 0.09318),
-  ('flat_screen', 2, 'z_min', 0.6992, 0.048);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 3, 0.1145, '');
+  ('flat_screen', 2, 'aspect', 0.3168, 0.2403),
+  ('flat_screen', 2, 'behind', 0.6397, 0.0705),
+  ('flat_screen', 2, 'corner_offset', 1.849, 0.5942),
+  ('flat_screen', 2, 'edge_concave', 0.3383, 0.106),
+  ('flat_screen', 2, 'edge_convex', -0.0003138, 0.03001),
+  ('flat_screen', 2, 'edge_free', 0.7138, 0.08978),
+  ('flat_screen', 2, 'edge_free_top', 0.9959, 0.03006),
+  ('flat_screen', 2, 'edge_unseen', 0.006071, 0.03587),
+  ('flat_screen', 2, 'headroom', 1.651, 0.3566),
+  ('flat_screen', 2, 'height', 0.9668, 0.0466),
+  ('flat_screen', 2, 'lift', -0.00851, 0.025),
+  ('flat_screen', 2, 'rectangularity', 0.7725, 0.09512),
+  ('flat_screen', 2, 'spread_length', -0.8031, 0.153),
+  ('flat_screen', 2, 'spread_width', -1.185, 0.08359),
+  ('flat_screen', 2, 'standoff', 0.2817, 0.03326),
+  ('flat_screen', 2, 'tilt_deg', 84.83, 1.758),
+  ('flat_screen', 2, 'wall_offset', 0.3568, 0.06348),
+  ('flat_screen', 2, 'width', -0.9603, 0.05843),
+  ('flat_screen', 2, 'z_max', 1.078, 0.04128),
+  ('flat_screen', 2, 'z_min', 0.6854, 0.03306);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 3, 0.0724, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 3, 'area_m2', -1.924, 0.1702),
-  ('flat_screen', 3, 'aspect', 0.387, 0.1694),
-  ('flat_screen', 3, 'behind', 0.5778, 0.1145),
-  ('flat_screen', 3, 'edge_free', 0.7226, 0.111),
-  ('flat_screen', 3, 'edge_free_top', 0.9981, 0.03),
-  ('flat_screen', 3, 'edge_joined', 0.0615, 0.0553),
-  ('flat_screen', 3, 'edge_unseen', 0.09895, 0.1256),
-  ('flat_screen', 3, 'height', 1.017, 0.03754),
-  ('flat_screen', 3, 'length', -0.6167, 0.1512),
-  ('flat_screen', 3, 'rectangularity', 0.7105, 0.09116),
-  ('flat_screen', 3, 'spread_length', -0.8484, 0.1553),
-  ('flat_screen', 3, 'spread_width', -1.255, 0.07249),
-  ('flat_screen', 3, 'tilt_deg', 84.23, 1.791),
-  ('flat_screen', 3, 'width', -0.9661, 0.08399),
-  ('flat_screen', 3, 'z_max', 1.145, 0.0444),
-  ('flat_screen', 3, 'z_min', 0.7604, 0.04543);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 4, 0.1108, '');
+  ('flat_screen', 3, 'aspect', 0.3834, 0.1652),
+  ('flat_screen', 3, 'behind', 0.5972, 0.07592),
+  ('flat_screen', 3, 'corner_offset', 1.652, 0.7367),
+  ('flat_screen', 3, 'edge_concave', 0.007219, 0.0347),
+  ('flat_screen', 3, 'edge_convex', -1.72e-05, 0.0302),
+  ('flat_screen', 3, 'edge_free', 0.9699, 0.07531),
+  ('flat_screen', 3, 'edge_free_top', 0.9968, 0.03477),
+  ('flat_screen', 3, 'edge_unseen', 0.05, 0.0995),
+  ('flat_screen', 3, 'headroom', 1.629, 0.2744),
+  ('flat_screen', 3, 'height', 1.024, 0.05535),
+  ('flat_screen', 3, 'lift', 0.114, 0.025),
+  ('flat_screen', 3, 'rectangularity', 0.9186, 0.054),
+  ('flat_screen', 3, 'spread_length', -0.9381, 0.1188),
+  ('flat_screen', 3, 'spread_width', -1.303, 0.06252),
+  ('flat_screen', 3, 'standoff', 0.386, 0.09914),
+  ('flat_screen', 3, 'tilt_deg', 84.88, 2.931),
+  ('flat_screen', 3, 'wall_offset', 0.9639, 0.9684),
+  ('flat_screen', 3, 'width', -1.261, 0.08236),
+  ('flat_screen', 3, 'z_max', 1.153, 0.06569),
+  ('flat_screen', 3, 'z_min', 0.8557, 0.04957);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 4, 0.1354, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 4, 'area_m2', -2.043, 0.1338),
-  ('flat_screen', 4, 'aspect', 0.1634, 0.1213),
-  ('flat_screen', 4, 'behind', 0.6652, 0.04112),
-  ('flat_screen', 4, 'edge_free', 0.7726, 0.07456),
-  ('flat_screen', 4, 'edge_free_top', 1, 0.03),
-  ('flat_screen', 4, 'edge_joined', 0.05279, 0.0413),
-  ('flat_screen', 4, 'edge_unseen', 0.003197, 0.03),
-  ('flat_screen', 4, 'height', 0.9826, 0.0469),
-  ('flat_screen', 4, 'length', -0.8436, 0.1145),
-  ('flat_screen', 4, 'rectangularity', 0.8215, 0.05001),
-  ('flat_screen', 4, 'spread_length', -0.93, 0.08419),
-  ('flat_screen', 4, 'spread_width', -1.25, 0.06068),
-  ('flat_screen', 4, 'tilt_deg', 84.57, 2.201),
-  ('flat_screen', 4, 'width', -1.001, 0.04509),
-  ('flat_screen', 4, 'z_max', 1.103, 0.05964),
-  ('flat_screen', 4, 'z_min', 0.7338, 0.05758);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 5, 0.09936, '');
+  ('flat_screen', 4, 'aspect', 0.4868, 0.1722),
+  ('flat_screen', 4, 'behind', 0.6464, 0.09185),
+  ('flat_screen', 4, 'corner_offset', 1.363, 0.7495),
+  ('flat_screen', 4, 'edge_concave', 0.4075, 0.1358),
+  ('flat_screen', 4, 'edge_convex', 0.004358, 0.03015),
+  ('flat_screen', 4, 'edge_free', 0.6195, 0.106),
+  ('flat_screen', 4, 'edge_free_top', 0.8212, 0.123),
+  ('flat_screen', 4, 'edge_unseen', 0.0364, 0.06739),
+  ('flat_screen', 4, 'headroom', 1.577, 0.4162),
+  ('flat_screen', 4, 'height', 1.003, 0.06991),
+  ('flat_screen', 4, 'lift', -0.003113, 0.02507),
+  ('flat_screen', 4, 'rectangularity', 0.6567, 0.03868),
+  ('flat_screen', 4, 'spread_length', -0.5653, 0.2813),
+  ('flat_screen', 4, 'spread_width', -1.121, 0.112),
+  ('flat_screen', 4, 'standoff', 0.7666, 0.2909),
+  ('flat_screen', 4, 'tilt_deg', 82.96, 1.981),
+  ('flat_screen', 4, 'wall_offset', 1.648, 0.867),
+  ('flat_screen', 4, 'width', -0.6118, 0.18),
+  ('flat_screen', 4, 'z_max', 1.218, 0.1427),
+  ('flat_screen', 4, 'z_min', 0.6988, 0.05197);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 5, 0.0812, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 5, 'area_m2', -1.78, 0.134),
-  ('flat_screen', 5, 'aspect', 0.5012, 0.0473),
-  ('flat_screen', 5, 'behind', 0.5801, 0.103),
-  ('flat_screen', 5, 'edge_free', 0.9839, 0.03),
-  ('flat_screen', 5, 'edge_free_top', 0.9986, 0.03),
-  ('flat_screen', 5, 'edge_joined', 0.003426, 0.03),
-  ('flat_screen', 5, 'edge_unseen', 0.03874, 0.07662),
-  ('flat_screen', 5, 'height', 1.029, 0.04193),
-  ('flat_screen', 5, 'length', -0.6045, 0.0712),
-  ('flat_screen', 5, 'rectangularity', 0.9323, 0.03163),
-  ('flat_screen', 5, 'spread_length', -0.6496, 0.06946),
-  ('flat_screen', 5, 'spread_width', -1.149, 0.07997),
-  ('flat_screen', 5, 'tilt_deg', 85.3, 3.059),
-  ('flat_screen', 5, 'width', -1.105, 0.07232),
-  ('flat_screen', 5, 'z_max', 1.185, 0.04497),
-  ('flat_screen', 5, 'z_min', 0.8517, 0.04174);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 6, 0.07869, '');
+  ('flat_screen', 5, 'aspect', 0.499, 0.04449),
+  ('flat_screen', 5, 'behind', 0.528, 0.1206),
+  ('flat_screen', 5, 'corner_offset', 1.387, 0.8042),
+  ('flat_screen', 5, 'edge_concave', 0.007116, 0.03),
+  ('flat_screen', 5, 'edge_convex', 0.0003709, 0.03),
+  ('flat_screen', 5, 'edge_free', 0.9586, 0.07019),
+  ('flat_screen', 5, 'edge_free_top', 0.9981, 0.03),
+  ('flat_screen', 5, 'edge_unseen', 0.03267, 0.0675),
+  ('flat_screen', 5, 'headroom', 1.682, 0.3628),
+  ('flat_screen', 5, 'height', 1.029, 0.05628),
+  ('flat_screen', 5, 'lift', 0.1141, 0.025),
+  ('flat_screen', 5, 'rectangularity', 0.9263, 0.03667),
+  ('flat_screen', 5, 'spread_length', -0.6311, 0.05966),
+  ('flat_screen', 5, 'spread_width', -1.123, 0.07332),
+  ('flat_screen', 5, 'standoff', 0.5655, 0.3037),
+  ('flat_screen', 5, 'tilt_deg', 85.31, 3.042),
+  ('flat_screen', 5, 'wall_offset', 1.016, 0.9805),
+  ('flat_screen', 5, 'width', -1.079, 0.06811),
+  ('flat_screen', 5, 'z_max', 1.183, 0.0564),
+  ('flat_screen', 5, 'z_min', 0.8387, 0.05567);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 6, 0.05693, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 6, 'area_m2', -2.232, 0.1379),
-  ('flat_screen', 6, 'aspect', 0.3507, 0.1195),
-  ('flat_screen', 6, 'behind', 0.5801, 0.07728),
-  ('flat_screen', 6, 'edge_free', 0.9906, 0.03),
-  ('flat_screen', 6, 'edge_free_top', 0.9976, 0.03),
-  ('flat_screen', 6, 'edge_joined', 0.004166, 0.03),
-  ('flat_screen', 6, 'edge_unseen', 0.07301, 0.1067),
-  ('flat_screen', 6, 'height', 1.012, 0.05382),
-  ('flat_screen', 6, 'length', -0.8989, 0.11),
-  ('flat_screen', 6, 'rectangularity', 0.911, 0.05952),
-  ('flat_screen', 6, 'spread_length', -0.9491, 0.1013),
-  ('flat_screen', 6, 'spread_width', -1.3, 0.05734),
-  ('flat_screen', 6, 'tilt_deg', 84, 2.802),
-  ('flat_screen', 6, 'width', -1.243, 0.08916),
-  ('flat_screen', 6, 'z_max', 1.147, 0.05866),
-  ('flat_screen', 6, 'z_min', 0.8556, 0.04267);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 7, 0.09728, '');
+  ('flat_screen', 6, 'aspect', 0.4171, 0.1801),
+  ('flat_screen', 6, 'behind', 0.4479, 0.09636),
+  ('flat_screen', 6, 'corner_offset', 1.339, 2.04),
+  ('flat_screen', 6, 'edge_concave', 0.006713, 0.04169),
+  ('flat_screen', 6, 'edge_convex', -0.0002267, 0.03712),
+  ('flat_screen', 6, 'edge_free', 0.8929, 0.1369),
+  ('flat_screen', 6, 'edge_free_top', 0.9971, 0.03114),
+  ('flat_screen', 6, 'edge_unseen', 0.1558, 0.1875),
+  ('flat_screen', 6, 'headroom', 1.354, 0.5024),
+  ('flat_screen', 6, 'height', 1.233, 0.156),
+  ('flat_screen', 6, 'lift', 0.1208, 0.05483),
+  ('flat_screen', 6, 'rectangularity', 0.8671, 0.1401),
+  ('flat_screen', 6, 'spread_length', -0.7033, 0.141),
+  ('flat_screen', 6, 'spread_width', -1.269, 0.1829),
+  ('flat_screen', 6, 'standoff', 0.3673, 0.09605),
+  ('flat_screen', 6, 'tilt_deg', 81.77, 1.276),
+  ('flat_screen', 6, 'wall_offset', 1.682, 2.236),
+  ('flat_screen', 6, 'width', -1.109, 0.1464),
+  ('flat_screen', 6, 'z_max', 1.389, 0.1387),
+  ('flat_screen', 6, 'z_min', 1.142, 0.05735);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 7, 0.1245, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 7, 'area_m2', -1.83, 0.2628),
-  ('flat_screen', 7, 'aspect', 0.3915, 0.2273),
-  ('flat_screen', 7, 'behind', 0.4912, 0.08699),
-  ('flat_screen', 7, 'edge_free', 0.8401, 0.1492),
-  ('flat_screen', 7, 'edge_free_top', 0.9985, 0.03),
-  ('flat_screen', 7, 'edge_joined', 0.03776, 0.05145),
-  ('flat_screen', 7, 'edge_unseen', 0.1052, 0.1555),
-  ('flat_screen', 7, 'height', 1.249, 0.1131),
-  ('flat_screen', 7, 'length', -0.6288, 0.2122),
-  ('flat_screen', 7, 'rectangularity', 0.8276, 0.1323),
-  ('flat_screen', 7, 'spread_length', -0.6844, 0.1331),
-  ('flat_screen', 7, 'spread_width', -1.145, 0.09239),
-  ('flat_screen', 7, 'tilt_deg', 83.12, 2.118),
-  ('flat_screen', 7, 'width', -1.012, 0.1978),
-  ('flat_screen', 7, 'z_max', 1.403, 0.09695),
-  ('flat_screen', 7, 'z_min', 1.062, 0.1249);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 8, 0.0438, '');
+  ('flat_screen', 7, 'aspect', 0.3663, 0.2269),
+  ('flat_screen', 7, 'behind', 0.6397, 0.1138),
+  ('flat_screen', 7, 'corner_offset', 1.795, 0.5085),
+  ('flat_screen', 7, 'edge_concave', 0.1633, 0.1008),
+  ('flat_screen', 7, 'edge_convex', 0.02866, 0.07027),
+  ('flat_screen', 7, 'edge_free', 0.771, 0.1525),
+  ('flat_screen', 7, 'edge_free_top', 0.997, 0.03045),
+  ('flat_screen', 7, 'edge_unseen', 0.1684, 0.1293),
+  ('flat_screen', 7, 'headroom', 1.407, 0.2729),
+  ('flat_screen', 7, 'height', 1.059, 0.03469),
+  ('flat_screen', 7, 'lift', 0.01251, 0.05424),
+  ('flat_screen', 7, 'rectangularity', 0.735, 0.1125),
+  ('flat_screen', 7, 'spread_length', -0.8385, 0.1692),
+  ('flat_screen', 7, 'spread_width', -1.226, 0.1104),
+  ('flat_screen', 7, 'standoff', 0.3272, 0.08193),
+  ('flat_screen', 7, 'tilt_deg', 84.27, 1.862),
+  ('flat_screen', 7, 'wall_offset', 0.3933, 0.07258),
+  ('flat_screen', 7, 'width', -0.9439, 0.1248),
+  ('flat_screen', 7, 'z_max', 1.19, 0.04096),
+  ('flat_screen', 7, 'z_min', 0.7771, 0.04829);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 8, 0.04434, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 8, 'area_m2', -2.7, 0.4477),
-  ('flat_screen', 8, 'aspect', 0.5921, 0.2828),
-  ('flat_screen', 8, 'behind', 0.5274, 0.2403),
-  ('flat_screen', 8, 'edge_free', 0.8506, 0.1647),
-  ('flat_screen', 8, 'edge_free_top', 0.9996, 0.03),
-  ('flat_screen', 8, 'edge_joined', 0.0221, 0.03439),
-  ('flat_screen', 8, 'edge_unseen', 0.2916, 0.09092),
-  ('flat_screen', 8, 'height', 1.035, 0.08642),
-  ('flat_screen', 8, 'length', -0.9186, 0.2819),
-  ('flat_screen', 8, 'rectangularity', 0.7431, 0.09148),
-  ('flat_screen', 8, 'spread_length', -1.039, 0.2283),
-  ('flat_screen', 8, 'spread_width', -1.73, 0.2874),
-  ('flat_screen', 8, 'tilt_deg', 83.61, 1.848),
-  ('flat_screen', 8, 'width', -1.472, 0.2983),
-  ('flat_screen', 8, 'z_max', 1.13, 0.06152),
-  ('flat_screen', 8, 'z_min', 0.842, 0.07211);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 9, 0.05367, '');
+  ('flat_screen', 8, 'aspect', 0.8009, 0.2236),
+  ('flat_screen', 8, 'behind', 0.4488, 0.2417),
+  ('flat_screen', 8, 'corner_offset', 1.272, 0.4332),
+  ('flat_screen', 8, 'edge_concave', 0.09275, 0.09533),
+  ('flat_screen', 8, 'edge_convex', 0.004945, 0.03009),
+  ('flat_screen', 8, 'edge_free', 0.8057, 0.2712),
+  ('flat_screen', 8, 'edge_free_top', 0.9745, 0.1346),
+  ('flat_screen', 8, 'edge_unseen', 0.3163, 0.08443),
+  ('flat_screen', 8, 'headroom', 1.528, 0.2029),
+  ('flat_screen', 8, 'height', 0.9976, 0.09681),
+  ('flat_screen', 8, 'lift', 0.1338, 0.04246),
+  ('flat_screen', 8, 'rectangularity', 0.7434, 0.07345),
+  ('flat_screen', 8, 'spread_length', -1.076, 0.2977),
+  ('flat_screen', 8, 'spread_width', -1.85, 0.2417),
+  ('flat_screen', 8, 'standoff', 0.3342, 0.05858),
+  ('flat_screen', 8, 'tilt_deg', 84.44, 2.757),
+  ('flat_screen', 8, 'wall_offset', 1.394, 1.949),
+  ('flat_screen', 8, 'width', -1.64, 0.1332),
+  ('flat_screen', 8, 'z_max', 1.098, 0.06913),
+  ('flat_screen', 8, 'z_min', 0.8418, 0.06336);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 9, 0.08632, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 9, 'area_m2', -1.965, 0.4006),
-  ('flat_screen', 9, 'aspect', 0.4977, 0.2573),
-  ('flat_screen', 9, 'behind', 0.5493, 0.08577),
-  ('flat_screen', 9, 'edge_free', 0.5208, 0.1292),
-  ('flat_screen', 9, 'edge_free_top', 0.8019, 0.1299),
-  ('flat_screen', 9, 'edge_joined', 0.2293, 0.2323),
-  ('flat_screen', 9, 'edge_unseen', 0.07069, 0.1156),
-  ('flat_screen', 9, 'height', 1.004, 0.06088),
-  ('flat_screen', 9, 'length', -0.6178, 0.1951),
-  ('flat_screen', 9, 'rectangularity', 0.7164, 0.1056),
-  ('flat_screen', 9, 'spread_length', -0.8531, 0.15),
-  ('flat_screen', 9, 'spread_width', -1.285, 0.1916),
-  ('flat_screen', 9, 'tilt_deg', 84.12, 1.787),
-  ('flat_screen', 9, 'width', -1.029, 0.3357),
-  ('flat_screen', 9, 'z_max', 1.162, 0.1047),
-  ('flat_screen', 9, 'z_min', 0.7805, 0.06641);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 10, 0.02196, '');
+  ('flat_screen', 9, 'aspect', 0.343, 0.2561),
+  ('flat_screen', 9, 'behind', 0.5176, 0.07437),
+  ('flat_screen', 9, 'corner_offset', 1.926, 0.9069),
+  ('flat_screen', 9, 'edge_concave', 0.2933, 0.09552),
+  ('flat_screen', 9, 'edge_convex', -0.0003962, 0.03191),
+  ('flat_screen', 9, 'edge_free', 0.7405, 0.1241),
+  ('flat_screen', 9, 'edge_free_top', 0.9892, 0.03574),
+  ('flat_screen', 9, 'edge_unseen', 0.06043, 0.0777),
+  ('flat_screen', 9, 'headroom', 1.553, 0.4844),
+  ('flat_screen', 9, 'height', 1.232, 0.09667),
+  ('flat_screen', 9, 'lift', -0.001681, 0.025),
+  ('flat_screen', 9, 'rectangularity', 0.752, 0.08159),
+  ('flat_screen', 9, 'spread_length', -0.6767, 0.1425),
+  ('flat_screen', 9, 'spread_width', -1.109, 0.07128),
+  ('flat_screen', 9, 'standoff', 0.3837, 0.06663),
+  ('flat_screen', 9, 'tilt_deg', 83.55, 2.476),
+  ('flat_screen', 9, 'wall_offset', 0.7504, 0.6157),
+  ('flat_screen', 9, 'width', -0.8625, 0.09784),
+  ('flat_screen', 9, 'z_max', 1.392, 0.07772),
+  ('flat_screen', 9, 'z_min', 0.9714, 0.1031);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('flat_screen', 10, 0.01831, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('flat_screen', 10, 'area_m2', -1.562, 0.5248),
-  ('flat_screen', 10, 'aspect', 0.6771, 0.1282),
-  ('flat_screen', 10, 'behind', 0.644, 0.1246),
-  ('flat_screen', 10, 'edge_free', 0.6248, 0.1363),
-  ('flat_screen', 10, 'edge_free_top', 0.9026, 0.1797),
-  ('flat_screen', 10, 'edge_joined', 0.1413, 0.1343),
-  ('flat_screen', 10, 'edge_unseen', 0.006327, 0.03),
-  ('flat_screen', 10, 'height', 0.7977, 0.3456),
-  ('flat_screen', 10, 'length', -0.2561, 0.3629),
-  ('flat_screen', 10, 'rectangularity', 0.6632, 0.2491),
-  ('flat_screen', 10, 'spread_length', -0.433, 0.3361),
-  ('flat_screen', 10, 'spread_width', -1.109, 0.3249),
-  ('flat_screen', 10, 'tilt_deg', 84.77, 2.014),
-  ('flat_screen', 10, 'width', -0.864, 0.4615),
-  ('flat_screen', 10, 'z_max', 1.045, 0.6429),
-  ('flat_screen', 10, 'z_min', 0.4217, 0.3496);
+  ('flat_screen', 10, 'aspect', 0.6163, 0.196),
+  ('flat_screen', 10, 'behind', 0.6023, 0.1209),
+  ('flat_screen', 10, 'corner_offset', 1.556, 0.2729),
+  ('flat_screen', 10, 'edge_concave', 0.08242, 0.07374),
+  ('flat_screen', 10, 'edge_convex', 0.0002511, 0.03),
+  ('flat_screen', 10, 'edge_free', 0.6901, 0.1292),
+  ('flat_screen', 10, 'edge_free_top', 0.9976, 0.03),
+  ('flat_screen', 10, 'edge_unseen', 0.007212, 0.03),
+  ('flat_screen', 10, 'headroom', 1.584, 0.08145),
+  ('flat_screen', 10, 'height', 0.3491, 0.08818),
+  ('flat_screen', 10, 'lift', 0.03832, 0.025),
+  ('flat_screen', 10, 'rectangularity', 0.8348, 0.1324),
+  ('flat_screen', 10, 'spread_length', -0.783, 0.09291),
+  ('flat_screen', 10, 'spread_width', -1.414, 0.1672),
+  ('flat_screen', 10, 'standoff', 0.4949, 0.1686),
+  ('flat_screen', 10, 'tilt_deg', 85.53, 4.001),
+  ('flat_screen', 10, 'wall_offset', 1.027, 0.1861),
+  ('flat_screen', 10, 'width', -1.235, 0.2423),
+  ('flat_screen', 10, 'z_max', 0.445, 0.05801),
+  ('flat_screen', 10, 'z_min', 0.1473, 0.1175);
 
 -- keyboard: 411 examples
-UPDATE object_class SET prior = 0.06116 WHERE name = 'keyboard';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'area_m2', -2.797, 0.4337)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.02733 WHERE name = 'keyboard';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'aspect', 0.752, 0.3045)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'behind', 0.2451, 0.1626)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_free', 0.2511, 0.2088)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'corner_offset', 0.7911, 0.4706)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_joined', 0.6948, 0.2264)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_concave', 0.00996, 0.03951)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_convex', 0.02285, 0.07579)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_free', 0.2511, 0.2088)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'edge_unseen', 0.04497, 0.1061)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'headroom', 1.95, 0.2436)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'height', 0.7611, 0.1205)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'length', -0.9149, 0.3029)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'lift', 0.02789, 0.025)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'rectangularity', 0.8118, 0.08244)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2159,204 +2601,246 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('keyboard', 'z_m
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'keyboard';
 DELETE FROM class_density WHERE class = 'keyboard';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 1, 0.1393, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 1, 0.1523, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 1, 'area_m2', -2.315, 0.1292),
-  ('keyboard', 1, 'aspect', 0.7414, 0.1708),
-  ('keyboard', 1, 'behind', 0.2642, 0.09258),
-  ('keyboard', 1, 'edge_free', 0.2611, 0.1427),
-  ('keyboard', 1, 'edge_free_top', -0.002183, 0.3142),
-  ('keyboard', 1, 'edge_joined', 0.7451, 0.1646),
-  ('keyboard', 1, 'edge_unseen', 0.002957, 0.03),
-  ('keyboard', 1, 'height', 0.7435, 0.04211),
-  ('keyboard', 1, 'length', -0.648, 0.1196),
-  ('keyboard', 1, 'rectangularity', 0.7456, 0.04387),
-  ('keyboard', 1, 'spread_length', -0.7755, 0.0843),
-  ('keyboard', 1, 'spread_width', -1.74, 0.06622),
-  ('keyboard', 1, 'tilt_deg', 3.255, 0.9994),
-  ('keyboard', 1, 'width', -1.363, 0.0973),
-  ('keyboard', 1, 'z_max', 0.7474, 0.04171),
-  ('keyboard', 1, 'z_min', 0.7352, 0.04731);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 2, 0.1335, '');
+  ('keyboard', 1, 'aspect', 0.936, 0.1929),
+  ('keyboard', 1, 'behind', 0.2888, 0.0624),
+  ('keyboard', 1, 'corner_offset', 0.8116, 0.4275),
+  ('keyboard', 1, 'edge_concave', -0.0003288, 0.03006),
+  ('keyboard', 1, 'edge_convex', 0.0001108, 0.03271),
+  ('keyboard', 1, 'edge_free', 0.3565, 0.1133),
+  ('keyboard', 1, 'edge_free_top', -0.01514, 0.2871),
+  ('keyboard', 1, 'edge_unseen', 0.001349, 0.03388),
+  ('keyboard', 1, 'headroom', 1.952, 0.2181),
+  ('keyboard', 1, 'height', 0.7986, 0.0225),
+  ('keyboard', 1, 'lift', 0.02133, 0.025),
+  ('keyboard', 1, 'rectangularity', 0.8396, 0.07262),
+  ('keyboard', 1, 'spread_length', -0.8498, 0.1023),
+  ('keyboard', 1, 'spread_width', -1.772, 0.0643),
+  ('keyboard', 1, 'standoff', -0.001157, 0.3252),
+  ('keyboard', 1, 'tilt_deg', 4.943, 0.8653),
+  ('keyboard', 1, 'wall_offset', -0.01564, 0.3374),
+  ('keyboard', 1, 'width', -1.689, 0.2397),
+  ('keyboard', 1, 'z_max', 0.8011, 0.0225),
+  ('keyboard', 1, 'z_min', 0.7986, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 2, 0.06975, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 2, 'area_m2', -2.84, 0.2183),
-  ('keyboard', 2, 'aspect', 0.5647, 0.2671),
-  ('keyboard', 2, 'behind', 0.2203, 0.09388),
-  ('keyboard', 2, 'edge_free', 0.3321, 0.1066),
-  ('keyboard', 2, 'edge_free_top', -0.004618, 0.3112),
-  ('keyboard', 2, 'edge_joined', 0.6183, 0.1401),
-  ('keyboard', 2, 'edge_unseen', 0.07345, 0.12),
-  ('keyboard', 2, 'height', 0.7524, 0.04245),
-  ('keyboard', 2, 'length', -1.017, 0.1544),
-  ('keyboard', 2, 'rectangularity', 0.7809, 0.06259),
-  ('keyboard', 2, 'spread_length', -1.123, 0.1039),
-  ('keyboard', 2, 'spread_width', -1.811, 0.0817),
-  ('keyboard', 2, 'tilt_deg', 4.905, 1.132),
-  ('keyboard', 2, 'width', -1.533, 0.2097),
-  ('keyboard', 2, 'z_max', 0.7636, 0.03369),
-  ('keyboard', 2, 'z_min', 0.751, 0.05196);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 3, 0.1145, '');
+  ('keyboard', 2, 'aspect', 0.3552, 0.3994),
+  ('keyboard', 2, 'behind', 0.3609, 0.0553),
+  ('keyboard', 2, 'corner_offset', 0.8788, 0.8202),
+  ('keyboard', 2, 'edge_concave', 0.0002633, 0.03318),
+  ('keyboard', 2, 'edge_convex', 0.004272, 0.04209),
+  ('keyboard', 2, 'edge_free', 0.2075, 0.1094),
+  ('keyboard', 2, 'edge_free_top', -0.005553, 0.3115),
+  ('keyboard', 2, 'edge_unseen', 0.2612, 0.07515),
+  ('keyboard', 2, 'headroom', 2.121, 0.2089),
+  ('keyboard', 2, 'height', 0.7594, 0.04756),
+  ('keyboard', 2, 'lift', 0.02083, 0.025),
+  ('keyboard', 2, 'rectangularity', 0.7513, 0.0759),
+  ('keyboard', 2, 'spread_length', -1.559, 0.08308),
+  ('keyboard', 2, 'spread_width', -2.052, 0.1636),
+  ('keyboard', 2, 'standoff', -0.003306, 0.3204),
+  ('keyboard', 2, 'tilt_deg', 3.712, 1.181),
+  ('keyboard', 2, 'wall_offset', -0.009794, 0.321),
+  ('keyboard', 2, 'width', -1.812, 0.3661),
+  ('keyboard', 2, 'z_max', 0.7486, 0.02951),
+  ('keyboard', 2, 'z_min', 0.7649, 0.05623);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 3, 0.126, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 3, 'area_m2', -2.618, 0.0867),
-  ('keyboard', 3, 'aspect', 0.9866, 0.1177),
-  ('keyboard', 3, 'behind', 0.2606, 0.1258),
-  ('keyboard', 3, 'edge_free', 0.09792, 0.08732),
-  ('keyboard', 3, 'edge_free_top', -0.001128, 0.315),
-  ('keyboard', 3, 'edge_joined', 0.863, 0.1122),
-  ('keyboard', 3, 'edge_unseen', 0.005091, 0.03221),
-  ('keyboard', 3, 'height', 0.7602, 0.0316),
-  ('keyboard', 3, 'length', -0.7263, 0.09737),
-  ('keyboard', 3, 'rectangularity', 0.8345, 0.06526),
-  ('keyboard', 3, 'spread_length', -0.8063, 0.05674),
-  ('keyboard', 3, 'spread_width', -1.843, 0.07909),
-  ('keyboard', 3, 'tilt_deg', 2.397, 1.096),
-  ('keyboard', 3, 'width', -1.701, 0.07078),
-  ('keyboard', 3, 'z_max', 0.7649, 0.03063),
-  ('keyboard', 3, 'z_min', 0.7583, 0.03304);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 4, 0.137, '');
+  ('keyboard', 3, 'aspect', 0.7645, 0.2017),
+  ('keyboard', 3, 'behind', 0.1708, 0.1596),
+  ('keyboard', 3, 'corner_offset', 0.9104, 0.1405),
+  ('keyboard', 3, 'edge_concave', -0.0007272, 0.03428),
+  ('keyboard', 3, 'edge_convex', 0.00275, 0.03682),
+  ('keyboard', 3, 'edge_free', 0.3013, 0.08562),
+  ('keyboard', 3, 'edge_free_top', -0.004567, 0.3099),
+  ('keyboard', 3, 'edge_unseen', 0.003775, 0.03641),
+  ('keyboard', 3, 'headroom', 1.961, 0.3323),
+  ('keyboard', 3, 'height', 0.7313, 0.0225),
+  ('keyboard', 3, 'lift', 0.03385, 0.025),
+  ('keyboard', 3, 'rectangularity', 0.7447, 0.04882),
+  ('keyboard', 3, 'spread_length', -0.7941, 0.0779),
+  ('keyboard', 3, 'spread_width', -1.81, 0.07516),
+  ('keyboard', 3, 'standoff', -0.001522, 0.3202),
+  ('keyboard', 3, 'tilt_deg', 4.371, 1.129),
+  ('keyboard', 3, 'wall_offset', -0.002703, 0.321),
+  ('keyboard', 3, 'width', -1.536, 0.125),
+  ('keyboard', 3, 'z_max', 0.7407, 0.0225),
+  ('keyboard', 3, 'z_min', 0.7201, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 4, 0.101, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 4, 'area_m2', -2.594, 0.08716),
-  ('keyboard', 4, 'aspect', 0.8572, 0.07791),
-  ('keyboard', 4, 'behind', 0.2166, 0.1153),
-  ('keyboard', 4, 'edge_free', 0.4613, 0.09325),
-  ('keyboard', 4, 'edge_free_top', -0.002728, 0.3102),
-  ('keyboard', 4, 'edge_joined', 0.4987, 0.09259),
-  ('keyboard', 4, 'edge_unseen', 0.001448, 0.03023),
-  ('keyboard', 4, 'height', 0.7513, 0.04984),
-  ('keyboard', 4, 'length', -0.783, 0.06309),
-  ('keyboard', 4, 'rectangularity', 0.8435, 0.05371),
-  ('keyboard', 4, 'spread_length', -0.8399, 0.04833),
-  ('keyboard', 4, 'spread_width', -1.777, 0.0689),
-  ('keyboard', 4, 'tilt_deg', 4.776, 1.337),
-  ('keyboard', 4, 'width', -1.637, 0.05963),
-  ('keyboard', 4, 'z_max', 0.7593, 0.05047),
-  ('keyboard', 4, 'z_min', 0.7449, 0.05455);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 5, 0.138, '');
+  ('keyboard', 4, 'aspect', 0.9153, 0.1507),
+  ('keyboard', 4, 'behind', 0.3862, 0.1664),
+  ('keyboard', 4, 'corner_offset', 0.7951, 0.117),
+  ('keyboard', 4, 'edge_concave', 0.001929, 0.03813),
+  ('keyboard', 4, 'edge_convex', 0.001834, 0.03413),
+  ('keyboard', 4, 'edge_free', 0.02003, 0.03732),
+  ('keyboard', 4, 'edge_free_top', -0.002508, 0.3121),
+  ('keyboard', 4, 'edge_unseen', 0.003612, 0.03492),
+  ('keyboard', 4, 'headroom', 1.915, 0.2243),
+  ('keyboard', 4, 'height', 0.7583, 0.02258),
+  ('keyboard', 4, 'lift', 0.02674, 0.025),
+  ('keyboard', 4, 'rectangularity', 0.8404, 0.03208),
+  ('keyboard', 4, 'spread_length', -0.8293, 0.08781),
+  ('keyboard', 4, 'spread_width', -1.804, 0.06968),
+  ('keyboard', 4, 'standoff', -0.0003425, 0.319),
+  ('keyboard', 4, 'tilt_deg', 1.672, 0.4502),
+  ('keyboard', 4, 'wall_offset', -0.002827, 0.3192),
+  ('keyboard', 4, 'width', -1.614, 0.1025),
+  ('keyboard', 4, 'z_max', 0.759, 0.02255),
+  ('keyboard', 4, 'z_min', 0.7594, 0.02258);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 5, 0.06237, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 5, 'area_m2', -2.759, 0.1052),
-  ('keyboard', 5, 'aspect', 1.088, 0.08012),
-  ('keyboard', 5, 'behind', 0.2101, 0.1213),
-  ('keyboard', 5, 'edge_free', 0.359, 0.1681),
-  ('keyboard', 5, 'edge_free_top', -0.001873, 0.3136),
-  ('keyboard', 5, 'edge_joined', 0.6162, 0.1599),
-  ('keyboard', 5, 'edge_unseen', 0.004792, 0.03),
-  ('keyboard', 5, 'height', 0.7606, 0.06043),
-  ('keyboard', 5, 'length', -0.771, 0.08567),
-  ('keyboard', 5, 'rectangularity', 0.8939, 0.04199),
-  ('keyboard', 5, 'spread_length', -0.8225, 0.0613),
-  ('keyboard', 5, 'spread_width', -1.91, 0.05581),
-  ('keyboard', 5, 'tilt_deg', 4.624, 1.668),
-  ('keyboard', 5, 'width', -1.865, 0.0629),
-  ('keyboard', 5, 'z_max', 0.7686, 0.05938),
-  ('keyboard', 5, 'z_min', 0.7556, 0.06045);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 6, 0.07721, '');
+  ('keyboard', 5, 'aspect', 0.7854, 0.2145),
+  ('keyboard', 5, 'behind', 0.2775, 0.06637),
+  ('keyboard', 5, 'corner_offset', 0.899, 0.9406),
+  ('keyboard', 5, 'edge_concave', 0.127, 0.07695),
+  ('keyboard', 5, 'edge_convex', 0.1228, 0.1236),
+  ('keyboard', 5, 'edge_free', 0.1671, 0.1616),
+  ('keyboard', 5, 'edge_free_top', -0.004222, 0.3123),
+  ('keyboard', 5, 'edge_unseen', 0.006051, 0.03003),
+  ('keyboard', 5, 'headroom', 1.923, 0.1818),
+  ('keyboard', 5, 'height', 0.7445, 0.04815),
+  ('keyboard', 5, 'lift', 0.02853, 0.025),
+  ('keyboard', 5, 'rectangularity', 0.7778, 0.06059),
+  ('keyboard', 5, 'spread_length', -0.8588, 0.1196),
+  ('keyboard', 5, 'spread_width', -1.797, 0.0576),
+  ('keyboard', 5, 'standoff', -0.001494, 0.3203),
+  ('keyboard', 5, 'tilt_deg', 3.209, 1.16),
+  ('keyboard', 5, 'wall_offset', -0.004219, 0.3187),
+  ('keyboard', 5, 'width', -1.49, 0.1437),
+  ('keyboard', 5, 'z_max', 0.7492, 0.04443),
+  ('keyboard', 5, 'z_min', 0.7436, 0.05505);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 6, 0.1068, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 6, 'area_m2', -3.42, 0.2211),
-  ('keyboard', 6, 'aspect', 0.2856, 0.185),
-  ('keyboard', 6, 'behind', 0.2924, 0.1197),
-  ('keyboard', 6, 'edge_free', 0.1857, 0.1345),
-  ('keyboard', 6, 'edge_free_top', -0.004144, 0.3107),
-  ('keyboard', 6, 'edge_joined', 0.7008, 0.1944),
-  ('keyboard', 6, 'edge_unseen', 0.2071, 0.129),
-  ('keyboard', 6, 'height', 0.7578, 0.0352),
-  ('keyboard', 6, 'length', -1.449, 0.167),
-  ('keyboard', 6, 'rectangularity', 0.766, 0.05492),
-  ('keyboard', 6, 'spread_length', -1.562, 0.08181),
-  ('keyboard', 6, 'spread_width', -1.933, 0.08827),
-  ('keyboard', 6, 'tilt_deg', 4.006, 1.011),
-  ('keyboard', 6, 'width', -1.717, 0.0884),
-  ('keyboard', 6, 'z_max', 0.7652, 0.02807),
-  ('keyboard', 6, 'z_min', 0.7548, 0.04404);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 7, 0.07379, '');
+  ('keyboard', 6, 'aspect', 1.054, 0.07735),
+  ('keyboard', 6, 'behind', 0.1861, 0.1182),
+  ('keyboard', 6, 'corner_offset', 0.7546, 0.636),
+  ('keyboard', 6, 'edge_concave', 0.001331, 0.03127),
+  ('keyboard', 6, 'edge_convex', 0.001127, 0.03165),
+  ('keyboard', 6, 'edge_free', 0.3023, 0.1565),
+  ('keyboard', 6, 'edge_free_top', -0.006455, 0.3056),
+  ('keyboard', 6, 'edge_unseen', 0.006908, 0.03075),
+  ('keyboard', 6, 'headroom', 2.257, 0.1642),
+  ('keyboard', 6, 'height', 0.7497, 0.07467),
+  ('keyboard', 6, 'lift', 0.02682, 0.025),
+  ('keyboard', 6, 'rectangularity', 0.9179, 0.03588),
+  ('keyboard', 6, 'spread_length', -0.8216, 0.04177),
+  ('keyboard', 6, 'spread_width', -1.874, 0.08323),
+  ('keyboard', 6, 'standoff', -0.00093, 0.3225),
+  ('keyboard', 6, 'tilt_deg', 4.602, 1.582),
+  ('keyboard', 6, 'wall_offset', -0.006027, 0.3262),
+  ('keyboard', 6, 'width', -1.835, 0.0828),
+  ('keyboard', 6, 'z_max', 0.7579, 0.07281),
+  ('keyboard', 6, 'z_min', 0.7481, 0.06946);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 7, 0.09218, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 7, 'area_m2', -2.934, 0.1794),
-  ('keyboard', 7, 'aspect', 0.6259, 0.1076),
-  ('keyboard', 7, 'behind', 0.2794, 0.08175),
-  ('keyboard', 7, 'edge_free', 0.01651, 0.03025),
-  ('keyboard', 7, 'edge_free_top', -0.0007556, 0.3166),
-  ('keyboard', 7, 'edge_joined', 0.9683, 0.05561),
-  ('keyboard', 7, 'edge_unseen', 0.04158, 0.07361),
-  ('keyboard', 7, 'height', 0.7633, 0.04923),
-  ('keyboard', 7, 'length', -1.073, 0.1123),
-  ('keyboard', 7, 'rectangularity', 0.8493, 0.03834),
-  ('keyboard', 7, 'spread_length', -1.108, 0.06697),
-  ('keyboard', 7, 'spread_width', -1.806, 0.06366),
-  ('keyboard', 7, 'tilt_deg', 1.687, 0.45),
-  ('keyboard', 7, 'width', -1.679, 0.1156),
-  ('keyboard', 7, 'z_max', 0.7656, 0.05017),
-  ('keyboard', 7, 'z_min', 0.7671, 0.05474);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 8, 0.06536, '');
+  ('keyboard', 7, 'aspect', 0.8385, 0.1739),
+  ('keyboard', 7, 'behind', 0.09662, 0.143),
+  ('keyboard', 7, 'corner_offset', 0.7575, 0.6654),
+  ('keyboard', 7, 'edge_concave', 0.01552, 0.05127),
+  ('keyboard', 7, 'edge_convex', 0.02036, 0.06097),
+  ('keyboard', 7, 'edge_free', 0.1472, 0.1276),
+  ('keyboard', 7, 'edge_free_top', -0.009521, 0.3201),
+  ('keyboard', 7, 'edge_unseen', 0.06542, 0.09625),
+  ('keyboard', 7, 'headroom', 1.869, 0.3001),
+  ('keyboard', 7, 'height', 1.014, 0.1091),
+  ('keyboard', 7, 'lift', 0.0232, 0.025),
+  ('keyboard', 7, 'rectangularity', 0.8081, 0.1283),
+  ('keyboard', 7, 'spread_length', -0.9326, 0.1284),
+  ('keyboard', 7, 'spread_width', -1.858, 0.05781),
+  ('keyboard', 7, 'standoff', -0.00581, 0.337),
+  ('keyboard', 7, 'tilt_deg', 4.068, 1.61),
+  ('keyboard', 7, 'wall_offset', -0.05462, 0.309),
+  ('keyboard', 7, 'width', -1.787, 0.1231),
+  ('keyboard', 7, 'z_max', 1.01, 0.1016),
+  ('keyboard', 7, 'z_min', 1.037, 0.09423);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 8, 0.09192, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 8, 'area_m2', -2.906, 0.3071),
-  ('keyboard', 8, 'aspect', 0.8546, 0.1819),
-  ('keyboard', 8, 'behind', 0.1746, 0.1721),
-  ('keyboard', 8, 'edge_free', 0.2039, 0.1484),
-  ('keyboard', 8, 'edge_free_top', -0.007831, 0.3109),
-  ('keyboard', 8, 'edge_joined', 0.7241, 0.1995),
-  ('keyboard', 8, 'edge_unseen', 0.0638, 0.09641),
-  ('keyboard', 8, 'height', 1.013, 0.1088),
-  ('keyboard', 8, 'length', -0.9402, 0.1979),
-  ('keyboard', 8, 'rectangularity', 0.8639, 0.1095),
-  ('keyboard', 8, 'spread_length', -0.952, 0.1647),
-  ('keyboard', 8, 'spread_width', -1.873, 0.07994),
-  ('keyboard', 8, 'tilt_deg', 4.3, 1.473),
-  ('keyboard', 8, 'width', -1.79, 0.1145),
-  ('keyboard', 8, 'z_max', 1.019, 0.1007),
-  ('keyboard', 8, 'z_min', 1.024, 0.09894);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 9, 0.04775, '');
+  ('keyboard', 8, 'aspect', 0.3652, 0.2265),
+  ('keyboard', 8, 'behind', 0.2698, 0.07345),
+  ('keyboard', 8, 'corner_offset', 0.7411, 0.6049),
+  ('keyboard', 8, 'edge_concave', 0.00533, 0.04601),
+  ('keyboard', 8, 'edge_convex', 0.03775, 0.07204),
+  ('keyboard', 8, 'edge_free', 0.344, 0.09828),
+  ('keyboard', 8, 'edge_free_top', -0.007366, 0.311),
+  ('keyboard', 8, 'edge_unseen', 0.002921, 0.03857),
+  ('keyboard', 8, 'headroom', 1.919, 0.1697),
+  ('keyboard', 8, 'height', 0.729, 0.05979),
+  ('keyboard', 8, 'lift', 0.03006, 0.025),
+  ('keyboard', 8, 'rectangularity', 0.7818, 0.03441),
+  ('keyboard', 8, 'spread_length', -1.017, 0.1892),
+  ('keyboard', 8, 'spread_width', -1.684, 0.04414),
+  ('keyboard', 8, 'standoff', -0.001457, 0.3278),
+  ('keyboard', 8, 'tilt_deg', 5.429, 1.249),
+  ('keyboard', 8, 'wall_offset', -0.01008, 0.3173),
+  ('keyboard', 8, 'width', -1.283, 0.05323),
+  ('keyboard', 8, 'z_max', 0.7361, 0.05708),
+  ('keyboard', 8, 'z_min', 0.722, 0.0636);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 9, 0.1081, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 9, 'area_m2', -3.988, 0.3159),
-  ('keyboard', 9, 'aspect', 0.5543, 0.3228),
-  ('keyboard', 9, 'behind', 0.2712, 0.1007),
-  ('keyboard', 9, 'edge_free', 0.2772, 0.2884),
-  ('keyboard', 9, 'edge_free_top', -0.001531, 0.3153),
-  ('keyboard', 9, 'edge_joined', 0.4736, 0.2929),
-  ('keyboard', 9, 'edge_unseen', 0.1971, 0.1769),
-  ('keyboard', 9, 'height', 0.7603, 0.0482),
-  ('keyboard', 9, 'length', -1.553, 0.2907),
-  ('keyboard', 9, 'rectangularity', 0.7475, 0.07217),
-  ('keyboard', 9, 'spread_length', -1.641, 0.1247),
-  ('keyboard', 9, 'spread_width', -2.244, 0.09411),
-  ('keyboard', 9, 'tilt_deg', 4.099, 1.161),
-  ('keyboard', 9, 'width', -2.13, 0.1493),
-  ('keyboard', 9, 'z_max', 0.7595, 0.04731),
-  ('keyboard', 9, 'z_min', 0.7582, 0.05421);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 10, 0.02358, '');
+  ('keyboard', 9, 'aspect', 0.6749, 0.1224),
+  ('keyboard', 9, 'behind', 0.2182, 0.06546),
+  ('keyboard', 9, 'corner_offset', 0.8236, 0.0954),
+  ('keyboard', 9, 'edge_concave', -0.0001554, 0.03),
+  ('keyboard', 9, 'edge_convex', 0.1463, 0.1459),
+  ('keyboard', 9, 'edge_free', 0.1633, 0.1644),
+  ('keyboard', 9, 'edge_free_top', -0.01563, 0.2952),
+  ('keyboard', 9, 'edge_unseen', 0.09118, 0.09957),
+  ('keyboard', 9, 'headroom', 1.83, 0.1714),
+  ('keyboard', 9, 'height', 0.7398, 0.06429),
+  ('keyboard', 9, 'lift', 0.02538, 0.025),
+  ('keyboard', 9, 'rectangularity', 0.8466, 0.07698),
+  ('keyboard', 9, 'spread_length', -1.066, 0.2121),
+  ('keyboard', 9, 'spread_width', -1.847, 0.06783),
+  ('keyboard', 9, 'standoff', -0.0061, 0.3306),
+  ('keyboard', 9, 'tilt_deg', 3.224, 1.32),
+  ('keyboard', 9, 'wall_offset', -0.01929, 0.3166),
+  ('keyboard', 9, 'width', -1.717, 0.04973),
+  ('keyboard', 9, 'z_max', 0.7402, 0.05782),
+  ('keyboard', 9, 'z_min', 0.7428, 0.07124);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('keyboard', 10, 0.03963, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('keyboard', 10, 'area_m2', -2.939, 0.3579),
-  ('keyboard', 10, 'aspect', 0.9725, 0.4134),
-  ('keyboard', 10, 'behind', 0.1199, 0.09401),
-  ('keyboard', 10, 'edge_free', 0.1332, 0.1521),
-  ('keyboard', 10, 'edge_free_top', -0.0006413, 0.32),
-  ('keyboard', 10, 'edge_joined', 0.8531, 0.1403),
-  ('keyboard', 10, 'edge_unseen', 0.1244, 0.1648),
-  ('keyboard', 10, 'height', 0.1327, 0.08755),
-  ('keyboard', 10, 'length', -0.9292, 0.3347),
-  ('keyboard', 10, 'rectangularity', 0.9133, 0.04178),
-  ('keyboard', 10, 'spread_length', -0.9515, 0.3851),
-  ('keyboard', 10, 'spread_width', -1.961, 0.04402),
-  ('keyboard', 10, 'tilt_deg', 2.442, 1.06),
-  ('keyboard', 10, 'width', -1.912, 0.05696),
-  ('keyboard', 10, 'z_max', 0.1307, 0.0896),
-  ('keyboard', 10, 'z_min', 0.1343, 0.07741);
+  ('keyboard', 10, 'aspect', 0.8883, 0.5294),
+  ('keyboard', 10, 'behind', 0.1014, 0.1181),
+  ('keyboard', 10, 'corner_offset', 0.8225, 0.1331),
+  ('keyboard', 10, 'edge_concave', 0.0008806, 0.03),
+  ('keyboard', 10, 'edge_convex', 0.003095, 0.03),
+  ('keyboard', 10, 'edge_free', 0.1143, 0.1461),
+  ('keyboard', 10, 'edge_free_top', -0.0006975, 0.3245),
+  ('keyboard', 10, 'edge_unseen', 0.1319, 0.1836),
+  ('keyboard', 10, 'headroom', 1.948, 0.06154),
+  ('keyboard', 10, 'height', 0.1105, 0.09099),
+  ('keyboard', 10, 'lift', 0.02861, 0.025),
+  ('keyboard', 10, 'rectangularity', 0.9082, 0.05447),
+  ('keyboard', 10, 'spread_length', -1.048, 0.4514),
+  ('keyboard', 10, 'spread_width', -1.965, 0.04407),
+  ('keyboard', 10, 'standoff', -0.0004934, 0.3164),
+  ('keyboard', 10, 'tilt_deg', 2.249, 1.134),
+  ('keyboard', 10, 'wall_offset', -0.03829, 0.3276),
+  ('keyboard', 10, 'width', -1.917, 0.05717),
+  ('keyboard', 10, 'z_max', 0.0768, 0.05306),
+  ('keyboard', 10, 'z_min', 0.1122, 0.07508);
 
 -- chair_seat: 489 examples
-UPDATE object_class SET prior = 0.009546 WHERE name = 'chair_seat';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'area_m2', -2.032, 0.5589)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.01389 WHERE name = 'chair_seat';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'aspect', 0.2885, 0.2855)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'behind', 0.6622, 0.1639)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_free', 0.6209, 0.1977)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'corner_offset', 0.995, 0.4663)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_joined', 0.08756, 0.1114)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_concave', 0.2169, 0.1811)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_convex', 0.02905, 0.09131)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_free', 0.6209, 0.1977)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'edge_unseen', 0.0487, 0.1098)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'height', 0.4697, 0.03029)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'headroom', 1.963, 0.7827)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'length', -0.7189, 0.1949)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'height', 0.4697, 0.03029)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'rectangularity', 0.7494, 0.1287)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2374,206 +2858,250 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_seat', 'z
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'chair_seat';
 DELETE FROM class_density WHERE class = 'chair_seat';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 1, 0.132, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 1, 0.08647, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 1, 'area_m2', -1.62, 0.11),
-  ('chair_seat', 1, 'aspect', 0.1184, 0.07769),
-  ('chair_seat', 1, 'behind', 0.6958, 0.094),
-  ('chair_seat', 1, 'edge_free', 0.7797, 0.1149),
-  ('chair_seat', 1, 'edge_free_top', -0.0004296, 0.3153),
-  ('chair_seat', 1, 'edge_joined', 0.06167, 0.07691),
-  ('chair_seat', 1, 'edge_unseen', 0.006743, 0.03038),
-  ('chair_seat', 1, 'height', 0.4446, 0.0225),
-  ('chair_seat', 1, 'length', -0.6694, 0.07943),
-  ('chair_seat', 1, 'rectangularity', 0.8462, 0.07193),
-  ('chair_seat', 1, 'spread_length', -0.7221, 0.05581),
-  ('chair_seat', 1, 'spread_width', -0.918, 0.07605),
-  ('chair_seat', 1, 'tilt_deg', 0.3955, 0.45),
-  ('chair_seat', 1, 'width', -0.7864, 0.07593),
-  ('chair_seat', 1, 'z_max', 0.4488, 0.0225),
-  ('chair_seat', 1, 'z_min', 0.4443, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 2, 0.1042, '');
+  ('chair_seat', 1, 'aspect', 0.105, 0.08302),
+  ('chair_seat', 1, 'behind', 0.6722, 0.08664),
+  ('chair_seat', 1, 'corner_offset', 1.171, 0.2917),
+  ('chair_seat', 1, 'edge_concave', 0.3006, 0.09723),
+  ('chair_seat', 1, 'edge_convex', 0.0009712, 0.03),
+  ('chair_seat', 1, 'edge_free', 0.7471, 0.1403),
+  ('chair_seat', 1, 'edge_free_top', -0.0001978, 0.316),
+  ('chair_seat', 1, 'edge_unseen', 0.002723, 0.03062),
+  ('chair_seat', 1, 'headroom', 2.214, 0.1636),
+  ('chair_seat', 1, 'height', 0.492, 0.0225),
+  ('chair_seat', 1, 'lift', 0.3737, 0.025),
+  ('chair_seat', 1, 'rectangularity', 0.8225, 0.07745),
+  ('chair_seat', 1, 'spread_length', -0.7086, 0.05418),
+  ('chair_seat', 1, 'spread_width', -0.9333, 0.09631),
+  ('chair_seat', 1, 'standoff', -9.841e-05, 0.3162),
+  ('chair_seat', 1, 'tilt_deg', 0.4049, 0.45),
+  ('chair_seat', 1, 'wall_offset', -0.001216, 0.3152),
+  ('chair_seat', 1, 'width', -0.7695, 0.06455),
+  ('chair_seat', 1, 'z_max', 0.494, 0.0225),
+  ('chair_seat', 1, 'z_min', 0.4901, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 2, 0.05113, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 2, 'area_m2', -1.626, 0.1244),
-  ('chair_seat', 2, 'aspect', 0.1181, 0.0835),
-  ('chair_seat', 2, 'behind', 0.6647, 0.08582),
-  ('chair_seat', 2, 'edge_free', 0.7547, 0.1342),
-  ('chair_seat', 2, 'edge_free_top', -0.0002738, 0.3156),
-  ('chair_seat', 2, 'edge_joined', 0.0628, 0.07832),
-  ('chair_seat', 2, 'edge_unseen', 0.002445, 0.03186),
-  ('chair_seat', 2, 'height', 0.4926, 0.0225),
-  ('chair_seat', 2, 'length', -0.6662, 0.07949),
-  ('chair_seat', 2, 'rectangularity', 0.8406, 0.06225),
-  ('chair_seat', 2, 'spread_length', -0.7199, 0.06622),
-  ('chair_seat', 2, 'spread_width', -0.9236, 0.08779),
-  ('chair_seat', 2, 'tilt_deg', 0.4214, 0.4541),
-  ('chair_seat', 2, 'width', -0.7862, 0.07906),
-  ('chair_seat', 2, 'z_max', 0.4924, 0.0225),
-  ('chair_seat', 2, 'z_min', 0.4885, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 3, 0.1223, '');
+  ('chair_seat', 2, 'aspect', 0.145, 0.1292),
+  ('chair_seat', 2, 'behind', 0.7583, 0.08093),
+  ('chair_seat', 2, 'corner_offset', 0.9916, 0.6456),
+  ('chair_seat', 2, 'edge_concave', 0.1937, 0.1503),
+  ('chair_seat', 2, 'edge_convex', -0.0025, 0.03),
+  ('chair_seat', 2, 'edge_free', 0.5752, 0.1177),
+  ('chair_seat', 2, 'edge_free_top', -0.0003402, 0.3162),
+  ('chair_seat', 2, 'edge_unseen', 0.003323, 0.0329),
+  ('chair_seat', 2, 'headroom', 2.318, 0.3028),
+  ('chair_seat', 2, 'height', 0.448, 0.0225),
+  ('chair_seat', 2, 'lift', 0.3476, 0.025),
+  ('chair_seat', 2, 'rectangularity', 0.6677, 0.08898),
+  ('chair_seat', 2, 'spread_length', -0.6768, 0.05017),
+  ('chair_seat', 2, 'spread_width', -1.076, 0.1083),
+  ('chair_seat', 2, 'standoff', -5.265e-05, 0.3162),
+  ('chair_seat', 2, 'tilt_deg', 0.4532, 0.45),
+  ('chair_seat', 2, 'wall_offset', -0.001209, 0.3151),
+  ('chair_seat', 2, 'width', -0.8237, 0.07891),
+  ('chair_seat', 2, 'z_max', 0.4496, 0.0225),
+  ('chair_seat', 2, 'z_min', 0.4468, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 3, 0.1403, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 3, 'area_m2', -1.943, 0.1843),
-  ('chair_seat', 3, 'aspect', 0.1221, 0.07998),
-  ('chair_seat', 3, 'behind', 0.7318, 0.08843),
-  ('chair_seat', 3, 'edge_free', 0.5381, 0.1041),
-  ('chair_seat', 3, 'edge_free_top', -0.0006697, 0.3152),
-  ('chair_seat', 3, 'edge_joined', 0.1381, 0.123),
-  ('chair_seat', 3, 'edge_unseen', 0.00218, 0.0316),
-  ('chair_seat', 3, 'height', 0.4569, 0.0225),
-  ('chair_seat', 3, 'length', -0.7075, 0.07122),
-  ('chair_seat', 3, 'rectangularity', 0.6842, 0.1082),
-  ('chair_seat', 3, 'spread_length', -0.7084, 0.08499),
-  ('chair_seat', 3, 'spread_width', -1.087, 0.1087),
-  ('chair_seat', 3, 'tilt_deg', 0.38, 0.45),
-  ('chair_seat', 3, 'width', -0.8427, 0.07202),
-  ('chair_seat', 3, 'z_max', 0.4583, 0.0225),
-  ('chair_seat', 3, 'z_min', 0.4552, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 4, 0.1628, '');
+  ('chair_seat', 3, 'aspect', 0.1668, 0.1451),
+  ('chair_seat', 3, 'behind', 0.661, 0.1104),
+  ('chair_seat', 3, 'corner_offset', 1.068, 0.1836),
+  ('chair_seat', 3, 'edge_concave', 0.2065, 0.1703),
+  ('chair_seat', 3, 'edge_convex', -0.0008735, 0.03),
+  ('chair_seat', 3, 'edge_free', 0.5729, 0.1293),
+  ('chair_seat', 3, 'edge_free_top', -0.0008346, 0.3158),
+  ('chair_seat', 3, 'edge_unseen', 0.0892, 0.1206),
+  ('chair_seat', 3, 'headroom', 1.448, 1.107),
+  ('chair_seat', 3, 'height', 0.4953, 0.02315),
+  ('chair_seat', 3, 'lift', 0.3612, 0.02516),
+  ('chair_seat', 3, 'rectangularity', 0.6529, 0.1252),
+  ('chair_seat', 3, 'spread_length', -0.7304, 0.1089),
+  ('chair_seat', 3, 'spread_width', -1.183, 0.1249),
+  ('chair_seat', 3, 'standoff', -0.0005419, 0.3164),
+  ('chair_seat', 3, 'tilt_deg', 0.5038, 0.4647),
+  ('chair_seat', 3, 'wall_offset', -0.002734, 0.3147),
+  ('chair_seat', 3, 'width', -0.8934, 0.08909),
+  ('chair_seat', 3, 'z_max', 0.4976, 0.0244),
+  ('chair_seat', 3, 'z_min', 0.4937, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 4, 0.07044, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 4, 'area_m2', -2.037, 0.2584),
-  ('chair_seat', 4, 'aspect', 0.2045, 0.1629),
-  ('chair_seat', 4, 'behind', 0.6299, 0.1108),
-  ('chair_seat', 4, 'edge_free', 0.5621, 0.1485),
-  ('chair_seat', 4, 'edge_free_top', -0.0008462, 0.3152),
-  ('chair_seat', 4, 'edge_joined', 0.08155, 0.09834),
-  ('chair_seat', 4, 'edge_unseen', 0.1121, 0.1251),
-  ('chair_seat', 4, 'height', 0.4937, 0.0249),
-  ('chair_seat', 4, 'length', -0.7118, 0.1308),
-  ('chair_seat', 4, 'rectangularity', 0.6751, 0.105),
-  ('chair_seat', 4, 'spread_length', -0.7369, 0.1331),
-  ('chair_seat', 4, 'spread_width', -1.222, 0.1261),
-  ('chair_seat', 4, 'tilt_deg', 0.5547, 0.5141),
-  ('chair_seat', 4, 'width', -0.9273, 0.1065),
-  ('chair_seat', 4, 'z_max', 0.4974, 0.0246),
-  ('chair_seat', 4, 'z_min', 0.4925, 0.02307);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 5, 0.2026, '');
+  ('chair_seat', 4, 'aspect', 0.1224, 0.08404),
+  ('chair_seat', 4, 'behind', 0.689, 0.0827),
+  ('chair_seat', 4, 'corner_offset', 1.175, 0.1794),
+  ('chair_seat', 4, 'edge_concave', 0.2217, 0.1636),
+  ('chair_seat', 4, 'edge_convex', 0.0007855, 0.03),
+  ('chair_seat', 4, 'edge_free', 0.7753, 0.1126),
+  ('chair_seat', 4, 'edge_free_top', -0.0001513, 0.3162),
+  ('chair_seat', 4, 'edge_unseen', 0.007262, 0.03004),
+  ('chair_seat', 4, 'headroom', 2.239, 0.2018),
+  ('chair_seat', 4, 'height', 0.4448, 0.0225),
+  ('chair_seat', 4, 'lift', 0.3613, 0.025),
+  ('chair_seat', 4, 'rectangularity', 0.8559, 0.05123),
+  ('chair_seat', 4, 'spread_length', -0.733, 0.05331),
+  ('chair_seat', 4, 'spread_width', -0.9135, 0.07343),
+  ('chair_seat', 4, 'standoff', -0.000196, 0.3161),
+  ('chair_seat', 4, 'tilt_deg', 0.4067, 0.4503),
+  ('chair_seat', 4, 'wall_offset', -0.001156, 0.3157),
+  ('chair_seat', 4, 'width', -0.8071, 0.07633),
+  ('chair_seat', 4, 'z_max', 0.4475, 0.0225),
+  ('chair_seat', 4, 'z_min', 0.4434, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 5, 0.2985, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 5, 'area_m2', -3.368, 0.4284),
-  ('chair_seat', 5, 'aspect', 0.5419, 0.3246),
-  ('chair_seat', 5, 'behind', 0.3774, 0.3113),
-  ('chair_seat', 5, 'edge_free', 0.5248, 0.1398),
-  ('chair_seat', 5, 'edge_free_top', -0.005511, 0.3131),
-  ('chair_seat', 5, 'edge_joined', 0.05878, 0.1166),
-  ('chair_seat', 5, 'edge_unseen', 0.1875, 0.1669),
-  ('chair_seat', 5, 'height', 0.4771, 0.03783),
-  ('chair_seat', 5, 'length', -1.199, 0.2538),
-  ('chair_seat', 5, 'rectangularity', 0.6775, 0.07426),
-  ('chair_seat', 5, 'spread_length', -1.283, 0.3075),
-  ('chair_seat', 5, 'spread_width', -2.003, 0.2769),
-  ('chair_seat', 5, 'tilt_deg', 2.033, 1.35),
-  ('chair_seat', 5, 'width', -1.762, 0.2675),
-  ('chair_seat', 5, 'z_max', 0.4912, 0.02373),
-  ('chair_seat', 5, 'z_min', 0.478, 0.03933);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 6, 0.0694, '');
+  ('chair_seat', 5, 'aspect', 0.7402, 0.233),
+  ('chair_seat', 5, 'behind', 0.7589, 0.09959),
+  ('chair_seat', 5, 'corner_offset', 1.052, 0.1716),
+  ('chair_seat', 5, 'edge_concave', 0.2361, 0.2327),
+  ('chair_seat', 5, 'edge_convex', 0.0001361, 0.03),
+  ('chair_seat', 5, 'edge_free', 0.4524, 0.1562),
+  ('chair_seat', 5, 'edge_free_top', -0.005054, 0.3233),
+  ('chair_seat', 5, 'edge_unseen', 0.009957, 0.03),
+  ('chair_seat', 5, 'headroom', 2.235, 0.3903),
+  ('chair_seat', 5, 'height', 0.4819, 0.02632),
+  ('chair_seat', 5, 'lift', 0.3627, 0.02527),
+  ('chair_seat', 5, 'rectangularity', 0.716, 0.1005),
+  ('chair_seat', 5, 'spread_length', -0.7757, 0.08773),
+  ('chair_seat', 5, 'spread_width', -1.739, 0.2566),
+  ('chair_seat', 5, 'standoff', -0.0004942, 0.3372),
+  ('chair_seat', 5, 'tilt_deg', 0.9712, 0.7217),
+  ('chair_seat', 5, 'wall_offset', -0.01113, 0.3089),
+  ('chair_seat', 5, 'width', -1.5, 0.2745),
+  ('chair_seat', 5, 'z_max', 0.4859, 0.02394),
+  ('chair_seat', 5, 'z_min', 0.4812, 0.0263);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 6, 0.07585, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 6, 'area_m2', -2.305, 0.2735),
-  ('chair_seat', 6, 'aspect', 0.5285, 0.1043),
-  ('chair_seat', 6, 'behind', 0.7408, 0.1167),
-  ('chair_seat', 6, 'edge_free', 0.4643, 0.1243),
-  ('chair_seat', 6, 'edge_free_top', -0.0005036, 0.3158),
-  ('chair_seat', 6, 'edge_joined', 0.07687, 0.1038),
-  ('chair_seat', 6, 'edge_unseen', 0.01496, 0.03419),
-  ('chair_seat', 6, 'height', 0.447, 0.0225),
-  ('chair_seat', 6, 'length', -0.6993, 0.1391),
-  ('chair_seat', 6, 'rectangularity', 0.6789, 0.1556),
-  ('chair_seat', 6, 'spread_length', -0.7444, 0.09155),
-  ('chair_seat', 6, 'spread_width', -1.452, 0.2225),
-  ('chair_seat', 6, 'tilt_deg', 0.917, 0.8043),
-  ('chair_seat', 6, 'width', -1.217, 0.1283),
-  ('chair_seat', 6, 'z_max', 0.4548, 0.0225),
-  ('chair_seat', 6, 'z_min', 0.4479, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 7, 0.07361, '');
+  ('chair_seat', 6, 'aspect', 0.5237, 0.09918),
+  ('chair_seat', 6, 'behind', 0.481, 0.3167),
+  ('chair_seat', 6, 'corner_offset', 0.4977, 0.5253),
+  ('chair_seat', 6, 'edge_concave', 0.0729, 0.09654),
+  ('chair_seat', 6, 'edge_convex', 0.000327, 0.03),
+  ('chair_seat', 6, 'edge_free', 0.6378, 0.2362),
+  ('chair_seat', 6, 'edge_free_top', -0.001747, 0.3145),
+  ('chair_seat', 6, 'edge_unseen', 0.238, 0.2098),
+  ('chair_seat', 6, 'headroom', 2.081, 0.4493),
+  ('chair_seat', 6, 'height', 0.4749, 0.02817),
+  ('chair_seat', 6, 'lift', 0.3612, 0.02501),
+  ('chair_seat', 6, 'rectangularity', 0.6462, 0.1303),
+  ('chair_seat', 6, 'spread_length', -0.8628, 0.1903),
+  ('chair_seat', 6, 'spread_width', -1.522, 0.1853),
+  ('chair_seat', 6, 'standoff', -0.0001355, 0.3174),
+  ('chair_seat', 6, 'tilt_deg', 0.5685, 0.45),
+  ('chair_seat', 6, 'wall_offset', -0.00322, 0.3148),
+  ('chair_seat', 6, 'width', -1.295, 0.127),
+  ('chair_seat', 6, 'z_max', 0.4758, 0.0277),
+  ('chair_seat', 6, 'z_min', 0.4722, 0.02848);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 7, 0.1675, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 7, 'area_m2', -2.424, 0.187),
-  ('chair_seat', 7, 'aspect', 0.733, 0.1285),
-  ('chair_seat', 7, 'behind', 0.6509, 0.1317),
-  ('chair_seat', 7, 'edge_free', 0.4897, 0.231),
-  ('chair_seat', 7, 'edge_free_top', -0.0001255, 0.3161),
-  ('chair_seat', 7, 'edge_joined', 0.06736, 0.1032),
-  ('chair_seat', 7, 'edge_unseen', 0.1218, 0.1538),
-  ('chair_seat', 7, 'height', 0.4909, 0.0225),
-  ('chair_seat', 7, 'length', -0.6716, 0.09727),
-  ('chair_seat', 7, 'rectangularity', 0.7226, 0.128),
-  ('chair_seat', 7, 'spread_length', -0.7233, 0.09161),
-  ('chair_seat', 7, 'spread_width', -1.604, 0.1329),
-  ('chair_seat', 7, 'tilt_deg', 0.8184, 0.6084),
-  ('chair_seat', 7, 'width', -1.401, 0.113),
-  ('chair_seat', 7, 'z_max', 0.4943, 0.0225),
-  ('chair_seat', 7, 'z_min', 0.4888, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 8, 0.03011, '');
+  ('chair_seat', 7, 'aspect', 0.5572, 0.2499),
+  ('chair_seat', 7, 'behind', 0.3349, 0.2908),
+  ('chair_seat', 7, 'corner_offset', 1.05, 0.1438),
+  ('chair_seat', 7, 'edge_concave', 0.1739, 0.224),
+  ('chair_seat', 7, 'edge_convex', 0.000366, 0.03),
+  ('chair_seat', 7, 'edge_free', 0.524, 0.1333),
+  ('chair_seat', 7, 'edge_free_top', -0.02322, 0.3047),
+  ('chair_seat', 7, 'edge_unseen', 0.1642, 0.1281),
+  ('chair_seat', 7, 'headroom', 1.859, 0.3844),
+  ('chair_seat', 7, 'height', 0.4761, 0.04844),
+  ('chair_seat', 7, 'lift', 0.3614, 0.025),
+  ('chair_seat', 7, 'rectangularity', 0.6855, 0.07349),
+  ('chair_seat', 7, 'spread_length', -1.202, 0.2467),
+  ('chair_seat', 7, 'spread_width', -2.035, 0.1904),
+  ('chair_seat', 7, 'standoff', -0.006786, 0.33),
+  ('chair_seat', 7, 'tilt_deg', 2.598, 1.253),
+  ('chair_seat', 7, 'wall_offset', -0.01885, 0.3184),
+  ('chair_seat', 7, 'width', -1.761, 0.2192),
+  ('chair_seat', 7, 'z_max', 0.4694, 0.03885),
+  ('chair_seat', 7, 'z_min', 0.4783, 0.04612);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 8, 0.02771, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 8, 'area_m2', -1.508, 0.3551),
-  ('chair_seat', 8, 'aspect', 0.383, 0.2849),
-  ('chair_seat', 8, 'behind', 0.7211, 0.08936),
-  ('chair_seat', 8, 'edge_free', 0.594, 0.08593),
-  ('chair_seat', 8, 'edge_free_top', -0.0001123, 0.316),
-  ('chair_seat', 8, 'edge_joined', 0.08129, 0.09164),
-  ('chair_seat', 8, 'edge_unseen', 0.00837, 0.03052),
-  ('chair_seat', 8, 'height', 0.4686, 0.02656),
-  ('chair_seat', 8, 'length', -0.3644, 0.2366),
-  ('chair_seat', 8, 'rectangularity', 0.6748, 0.09557),
-  ('chair_seat', 8, 'spread_length', -0.592, 0.3051),
-  ('chair_seat', 8, 'spread_width', -0.9658, 0.112),
-  ('chair_seat', 8, 'tilt_deg', 0.4348, 0.45),
-  ('chair_seat', 8, 'width', -0.7361, 0.1332),
-  ('chair_seat', 8, 'z_max', 0.4712, 0.02556),
-  ('chair_seat', 8, 'z_min', 0.4672, 0.02517);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 9, 0.03628, '');
+  ('chair_seat', 8, 'aspect', 0.1322, 0.08291),
+  ('chair_seat', 8, 'behind', 0.6891, 0.1026),
+  ('chair_seat', 8, 'corner_offset', 1.178, 0.2128),
+  ('chair_seat', 8, 'edge_concave', 0.1757, 0.1427),
+  ('chair_seat', 8, 'edge_convex', 0.2855, 0.08722),
+  ('chair_seat', 8, 'edge_free', 0.6947, 0.1471),
+  ('chair_seat', 8, 'edge_free_top', -0.000106, 0.3162),
+  ('chair_seat', 8, 'edge_unseen', 0.004084, 0.03126),
+  ('chair_seat', 8, 'headroom', 2.254, 0.2551),
+  ('chair_seat', 8, 'height', 0.4673, 0.0272),
+  ('chair_seat', 8, 'lift', 0.3612, 0.025),
+  ('chair_seat', 8, 'rectangularity', 0.7419, 0.1426),
+  ('chair_seat', 8, 'spread_length', -0.731, 0.09262),
+  ('chair_seat', 8, 'spread_width', -1.054, 0.1467),
+  ('chair_seat', 8, 'standoff', -0.0001047, 0.3161),
+  ('chair_seat', 8, 'tilt_deg', 0.3056, 0.4523),
+  ('chair_seat', 8, 'wall_offset', -0.0007754, 0.3157),
+  ('chair_seat', 8, 'width', -0.8302, 0.0859),
+  ('chair_seat', 8, 'z_max', 0.4678, 0.026),
+  ('chair_seat', 8, 'z_min', 0.4652, 0.0267);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 9, 0.018, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 9, 'area_m2', -2.826, 0.1818),
-  ('chair_seat', 9, 'aspect', 1.009, 0.1336),
-  ('chair_seat', 9, 'behind', 0.7474, 0.07336),
-  ('chair_seat', 9, 'edge_free', 0.4466, 0.1196),
-  ('chair_seat', 9, 'edge_free_top', -0.0001897, 0.3163),
-  ('chair_seat', 9, 'edge_joined', 0.08425, 0.06073),
-  ('chair_seat', 9, 'edge_unseen', 0.007129, 0.03),
-  ('chair_seat', 9, 'height', 0.4777, 0.02552),
-  ('chair_seat', 9, 'length', -0.7457, 0.06925),
-  ('chair_seat', 9, 'rectangularity', 0.7305, 0.104),
-  ('chair_seat', 9, 'spread_length', -0.7992, 0.123),
-  ('chair_seat', 9, 'spread_width', -1.93, 0.1202),
-  ('chair_seat', 9, 'tilt_deg', 1.604, 1.536),
-  ('chair_seat', 9, 'width', -1.75, 0.1884),
-  ('chair_seat', 9, 'z_max', 0.4817, 0.02372),
-  ('chair_seat', 9, 'z_min', 0.4743, 0.02722);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 10, 0.0168, '');
+  ('chair_seat', 9, 'aspect', 0.145, 0.1942),
+  ('chair_seat', 9, 'behind', 0.802, 0.03623),
+  ('chair_seat', 9, 'corner_offset', 1.255, 0.2737),
+  ('chair_seat', 9, 'edge_concave', 0.1936, 0.1007),
+  ('chair_seat', 9, 'edge_convex', 0.004113, 0.03),
+  ('chair_seat', 9, 'edge_free', 0.5703, 0.09468),
+  ('chair_seat', 9, 'edge_free_top', -8.121e-05, 0.3162),
+  ('chair_seat', 9, 'edge_unseen', 0.006514, 0.03029),
+  ('chair_seat', 9, 'headroom', 0.3832, 0.1717),
+  ('chair_seat', 9, 'height', 0.4528, 0.0225),
+  ('chair_seat', 9, 'lift', 0.3612, 0.025),
+  ('chair_seat', 9, 'rectangularity', 0.7988, 0.1158),
+  ('chair_seat', 9, 'spread_length', -0.6288, 0.2249),
+  ('chair_seat', 9, 'spread_width', -0.9821, 0.1186),
+  ('chair_seat', 9, 'standoff', -6.968e-05, 0.3161),
+  ('chair_seat', 9, 'tilt_deg', 0.5504, 0.45),
+  ('chair_seat', 9, 'wall_offset', -0.0001497, 0.3163),
+  ('chair_seat', 9, 'width', -0.7743, 0.1042),
+  ('chair_seat', 9, 'z_max', 0.4556, 0.0225),
+  ('chair_seat', 9, 'z_min', 0.4515, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_seat', 10, 0.01401, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_seat', 10, 'area_m2', -2.542, 0.1984),
-  ('chair_seat', 10, 'aspect', 0.4622, 0.08723),
-  ('chair_seat', 10, 'behind', 0.2335, 0.2397),
-  ('chair_seat', 10, 'edge_free', 0.6594, 0.2316),
-  ('chair_seat', 10, 'edge_free_top', -0.0008399, 0.3152),
-  ('chair_seat', 10, 'edge_joined', 0.01782, 0.03),
-  ('chair_seat', 10, 'edge_unseen', 0.2575, 0.2024),
-  ('chair_seat', 10, 'height', 0.4079, 0.1947),
-  ('chair_seat', 10, 'length', -0.8742, 0.06823),
-  ('chair_seat', 10, 'rectangularity', 0.7192, 0.072),
-  ('chair_seat', 10, 'spread_length', -0.9485, 0.1158),
-  ('chair_seat', 10, 'spread_width', -1.562, 0.1701),
-  ('chair_seat', 10, 'tilt_deg', 0.8241, 0.6443),
-  ('chair_seat', 10, 'width', -1.34, 0.116),
-  ('chair_seat', 10, 'z_max', 0.4202, 0.1738),
-  ('chair_seat', 10, 'z_min', 0.4155, 0.1741);
+  ('chair_seat', 10, 'aspect', 0.3735, 0.2441),
+  ('chair_seat', 10, 'behind', 0.5105, 0.09081),
+  ('chair_seat', 10, 'corner_offset', 1.013, 0.194),
+  ('chair_seat', 10, 'edge_concave', 0.08628, 0.1036),
+  ('chair_seat', 10, 'edge_convex', 0.2493, 0.1358),
+  ('chair_seat', 10, 'edge_free', 0.4756, 0.1276),
+  ('chair_seat', 10, 'edge_free_top', -0.0008486, 0.3155),
+  ('chair_seat', 10, 'edge_unseen', 0.08429, 0.09682),
+  ('chair_seat', 10, 'headroom', 0.9947, 0.6197),
+  ('chair_seat', 10, 'height', 0.452, 0.1406),
+  ('chair_seat', 10, 'lift', 0.3613, 0.025),
+  ('chair_seat', 10, 'rectangularity', 0.7686, 0.04356),
+  ('chair_seat', 10, 'spread_length', -0.8726, 0.1435),
+  ('chair_seat', 10, 'spread_width', -1.4, 0.2896),
+  ('chair_seat', 10, 'standoff', -0.001217, 0.3145),
+  ('chair_seat', 10, 'tilt_deg', 1.354, 0.7398),
+  ('chair_seat', 10, 'wall_offset', -0.005025, 0.3127),
+  ('chair_seat', 10, 'width', -1.184, 0.2709),
+  ('chair_seat', 10, 'z_max', 0.4646, 0.1188),
+  ('chair_seat', 10, 'z_min', 0.4665, 0.1011);
 
 -- chair_back: 483 examples
-UPDATE object_class SET prior = 0.04998 WHERE name = 'chair_back';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'area_m2', -1.743, 0.6157)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.05072 WHERE name = 'chair_back';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'aspect', 0.3824, 0.2906)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'behind', 0.5752, 0.2886)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'corner_offset', 1.605, 0.8588)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_concave', 0.06607, 0.1124)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_convex', 0.08849, 0.1293)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_free', 0.7938, 0.1968)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_free_top', 0.9471, 0.1618)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_joined', 0.1156, 0.158)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'edge_unseen', 0.07804, 0.1574)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'headroom', 1.738, 0.2829)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'height', 0.818, 0.07962)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'length', -0.547, 0.2708)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'lift', -0.01187, 0.08057)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'rectangularity', 0.7808, 0.1215)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2581,7 +3109,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 's
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'spread_width', -1.126, 0.3948)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'standoff', 1.072, 0.3324)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'tilt_deg', 80.48, 3.827)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'wall_offset', 1.442, 0.8054)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'width', -0.933, 0.3446)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2591,206 +3123,248 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('chair_back', 'z
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'chair_back';
 DELETE FROM class_density WHERE class = 'chair_back';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 1, 0.1276, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 1, 0.1154, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 1, 'area_m2', -1.381, 0.1317),
-  ('chair_back', 1, 'aspect', 0.1665, 0.06576),
-  ('chair_back', 1, 'behind', 0.7605, 0.05383),
-  ('chair_back', 1, 'edge_free', 0.7545, 0.1336),
-  ('chair_back', 1, 'edge_free_top', 0.9971, 0.03158),
-  ('chair_back', 1, 'edge_joined', 0.1469, 0.1719),
-  ('chair_back', 1, 'edge_unseen', 0.001808, 0.03297),
-  ('chair_back', 1, 'height', 0.8029, 0.07265),
-  ('chair_back', 1, 'length', -0.5224, 0.09523),
-  ('chair_back', 1, 'rectangularity', 0.8604, 0.09346),
-  ('chair_back', 1, 'spread_length', -0.6913, 0.04147),
-  ('chair_back', 1, 'spread_width', -0.8034, 0.09614),
-  ('chair_back', 1, 'tilt_deg', 80.86, 2.435),
-  ('chair_back', 1, 'width', -0.6878, 0.08347),
-  ('chair_back', 1, 'z_max', 1.012, 0.07556),
-  ('chair_back', 1, 'z_min', 0.4293, 0.09415);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 2, 0.1461, '');
+  ('chair_back', 1, 'aspect', 0.1523, 0.1216),
+  ('chair_back', 1, 'behind', 0.5818, 0.3639),
+  ('chair_back', 1, 'corner_offset', 1.149, 0.4376),
+  ('chair_back', 1, 'edge_concave', 0.003264, 0.03003),
+  ('chair_back', 1, 'edge_convex', 0.001873, 0.03),
+  ('chair_back', 1, 'edge_free', 0.7271, 0.1008),
+  ('chair_back', 1, 'edge_free_top', 0.9995, 0.03),
+  ('chair_back', 1, 'edge_unseen', 0.0517, 0.0958),
+  ('chair_back', 1, 'headroom', 1.741, 0.2491),
+  ('chair_back', 1, 'height', 0.8409, 0.05942),
+  ('chair_back', 1, 'lift', 0.1131, 0.02971),
+  ('chair_back', 1, 'rectangularity', 0.9029, 0.0301),
+  ('chair_back', 1, 'spread_length', -0.7364, 0.04726),
+  ('chair_back', 1, 'spread_width', -1.026, 0.2078),
+  ('chair_back', 1, 'standoff', 0.9605, 0.2933),
+  ('chair_back', 1, 'tilt_deg', 81.35, 2.719),
+  ('chair_back', 1, 'wall_offset', 1.24, 0.5813),
+  ('chair_back', 1, 'width', -0.8926, 0.1204),
+  ('chair_back', 1, 'z_max', 1.016, 0.07074),
+  ('chair_back', 1, 'z_min', 0.5758, 0.04538);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 2, 0.07866, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 2, 'area_m2', -1.792, 0.2289),
-  ('chair_back', 2, 'aspect', 0.6174, 0.207),
-  ('chair_back', 2, 'behind', 0.7519, 0.0707),
-  ('chair_back', 2, 'edge_free', 0.8035, 0.1181),
-  ('chair_back', 2, 'edge_free_top', 0.9937, 0.03),
-  ('chair_back', 2, 'edge_joined', 0.1162, 0.08231),
-  ('chair_back', 2, 'edge_unseen', 0.002486, 0.03),
-  ('chair_back', 2, 'height', 0.8095, 0.06546),
-  ('chair_back', 2, 'length', -0.4319, 0.1481),
-  ('chair_back', 2, 'rectangularity', 0.7545, 0.1179),
-  ('chair_back', 2, 'spread_length', -0.6081, 0.1098),
-  ('chair_back', 2, 'spread_width', -1.374, 0.1143),
-  ('chair_back', 2, 'tilt_deg', 80.21, 2.607),
-  ('chair_back', 2, 'width', -1.073, 0.1479),
-  ('chair_back', 2, 'z_max', 1.043, 0.09895),
-  ('chair_back', 2, 'z_min', 0.4122, 0.07302);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 3, 0.109, '');
+  ('chair_back', 2, 'aspect', 0.3584, 0.1419),
+  ('chair_back', 2, 'behind', 0.5445, 0.2654),
+  ('chair_back', 2, 'corner_offset', 1.802, 0.6255),
+  ('chair_back', 2, 'edge_concave', 0.002331, 0.03456),
+  ('chair_back', 2, 'edge_convex', 0.2095, 0.1328),
+  ('chair_back', 2, 'edge_free', 0.9796, 0.03128),
+  ('chair_back', 2, 'edge_free_top', 0.9989, 0.03044),
+  ('chair_back', 2, 'edge_unseen', 0.007406, 0.03137),
+  ('chair_back', 2, 'headroom', 1.654, 0.2736),
+  ('chair_back', 2, 'height', 0.795, 0.05714),
+  ('chair_back', 2, 'lift', -0.0746, 0.0251),
+  ('chair_back', 2, 'rectangularity', 0.9077, 0.03011),
+  ('chair_back', 2, 'spread_length', -0.5562, 0.09917),
+  ('chair_back', 2, 'spread_width', -0.835, 0.1161),
+  ('chair_back', 2, 'standoff', 1.206, 0.2476),
+  ('chair_back', 2, 'tilt_deg', 79.91, 3.267),
+  ('chair_back', 2, 'wall_offset', 1.516, 0.4511),
+  ('chair_back', 2, 'width', -0.746, 0.07968),
+  ('chair_back', 2, 'z_max', 1.028, 0.07633),
+  ('chair_back', 2, 'z_min', 0.3635, 0.03541);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 3, 0.1317, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 3, 'area_m2', -1.714, 0.1911),
-  ('chair_back', 3, 'aspect', 0.1883, 0.1389),
-  ('chair_back', 3, 'behind', 0.4466, 0.3563),
-  ('chair_back', 3, 'edge_free', 0.8804, 0.1272),
-  ('chair_back', 3, 'edge_free_top', 0.9991, 0.03072),
-  ('chair_back', 3, 'edge_joined', 0.02916, 0.04361),
-  ('chair_back', 3, 'edge_unseen', 0.1159, 0.1324),
-  ('chair_back', 3, 'height', 0.7884, 0.05283),
-  ('chair_back', 3, 'length', -0.6769, 0.09252),
-  ('chair_back', 3, 'rectangularity', 0.8736, 0.07069),
-  ('chair_back', 3, 'spread_length', -0.7656, 0.04147),
-  ('chair_back', 3, 'spread_width', -1.012, 0.156),
-  ('chair_back', 3, 'tilt_deg', 80.32, 2.831),
-  ('chair_back', 3, 'width', -0.8878, 0.1168),
-  ('chair_back', 3, 'z_max', 0.96, 0.05462),
-  ('chair_back', 3, 'z_min', 0.4845, 0.09397);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 4, 0.1123, '');
+  ('chair_back', 3, 'aspect', 0.6465, 0.2226),
+  ('chair_back', 3, 'behind', 0.4661, 0.3433),
+  ('chair_back', 3, 'corner_offset', 1.402, 0.3228),
+  ('chair_back', 3, 'edge_concave', 0.003345, 0.03002),
+  ('chair_back', 3, 'edge_convex', 0.1955, 0.09428),
+  ('chair_back', 3, 'edge_free', 0.8381, 0.06265),
+  ('chair_back', 3, 'edge_free_top', 0.9961, 0.03),
+  ('chair_back', 3, 'edge_unseen', 0.1146, 0.1317),
+  ('chair_back', 3, 'headroom', 1.747, 0.1643),
+  ('chair_back', 3, 'height', 0.8412, 0.05113),
+  ('chair_back', 3, 'lift', -0.04449, 0.02501),
+  ('chair_back', 3, 'rectangularity', 0.7471, 0.102),
+  ('chair_back', 3, 'spread_length', -0.5616, 0.09035),
+  ('chair_back', 3, 'spread_width', -1.192, 0.3278),
+  ('chair_back', 3, 'standoff', 1.035, 0.2688),
+  ('chair_back', 3, 'tilt_deg', 80.33, 2.535),
+  ('chair_back', 3, 'wall_offset', 1.489, 0.3628),
+  ('chair_back', 3, 'width', -0.9406, 0.228),
+  ('chair_back', 3, 'z_max', 1.095, 0.06632),
+  ('chair_back', 3, 'z_min', 0.3907, 0.07452);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 4, 0.09936, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 4, 'area_m2', -1.205, 0.1598),
-  ('chair_back', 4, 'aspect', 0.4443, 0.1254),
-  ('chair_back', 4, 'behind', 0.5179, 0.2809),
-  ('chair_back', 4, 'edge_free', 0.9805, 0.03),
-  ('chair_back', 4, 'edge_free_top', 0.9982, 0.03),
-  ('chair_back', 4, 'edge_joined', 0.01181, 0.03001),
-  ('chair_back', 4, 'edge_unseen', 0.0174, 0.04633),
-  ('chair_back', 4, 'height', 0.8179, 0.04849),
-  ('chair_back', 4, 'length', -0.3164, 0.09779),
-  ('chair_back', 4, 'rectangularity', 0.8723, 0.07185),
-  ('chair_back', 4, 'spread_length', -0.4988, 0.06455),
-  ('chair_back', 4, 'spread_width', -0.8788, 0.1557),
-  ('chair_back', 4, 'tilt_deg', 80.65, 2.974),
-  ('chair_back', 4, 'width', -0.7511, 0.09553),
-  ('chair_back', 4, 'z_max', 1.065, 0.05774),
-  ('chair_back', 4, 'z_min', 0.35, 0.04039);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 5, 0.09692, '');
+  ('chair_back', 4, 'aspect', 0.1572, 0.07081),
+  ('chair_back', 4, 'behind', 0.7372, 0.09044),
+  ('chair_back', 4, 'corner_offset', 1.736, 0.8336),
+  ('chair_back', 4, 'edge_concave', 0.1943, 0.03809),
+  ('chair_back', 4, 'edge_convex', 0.001451, 0.03003),
+  ('chair_back', 4, 'edge_free', 0.6109, 0.08303),
+  ('chair_back', 4, 'edge_free_top', 0.9945, 0.03254),
+  ('chair_back', 4, 'edge_unseen', 0.001685, 0.03084),
+  ('chair_back', 4, 'headroom', 1.604, 0.2361),
+  ('chair_back', 4, 'height', 0.7826, 0.05591),
+  ('chair_back', 4, 'lift', -0.03766, 0.03974),
+  ('chair_back', 4, 'rectangularity', 0.7898, 0.08351),
+  ('chair_back', 4, 'spread_length', -0.7243, 0.05198),
+  ('chair_back', 4, 'spread_width', -0.8506, 0.1299),
+  ('chair_back', 4, 'standoff', 0.8948, 0.2907),
+  ('chair_back', 4, 'tilt_deg', 79.99, 2.543),
+  ('chair_back', 4, 'wall_offset', 1.341, 0.8416),
+  ('chair_back', 4, 'width', -0.6838, 0.09376),
+  ('chair_back', 4, 'z_max', 0.987, 0.0548),
+  ('chair_back', 4, 'z_min', 0.4375, 0.03761);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 5, 0.1076, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 5, 'area_m2', -1.425, 0.1919),
-  ('chair_back', 5, 'aspect', 0.4992, 0.1441),
-  ('chair_back', 5, 'behind', 0.5269, 0.3205),
-  ('chair_back', 5, 'edge_free', 0.6744, 0.2013),
-  ('chair_back', 5, 'edge_free_top', 0.8707, 0.1868),
-  ('chair_back', 5, 'edge_joined', 0.2585, 0.2067),
-  ('chair_back', 5, 'edge_unseen', 0.1428, 0.1553),
-  ('chair_back', 5, 'height', 0.8652, 0.05026),
-  ('chair_back', 5, 'length', -0.3345, 0.07293),
-  ('chair_back', 5, 'rectangularity', 0.7639, 0.08687),
-  ('chair_back', 5, 'spread_length', -0.5554, 0.07472),
-  ('chair_back', 5, 'spread_width', -1.003, 0.2267),
-  ('chair_back', 5, 'tilt_deg', 79.51, 2.649),
-  ('chair_back', 5, 'width', -0.8121, 0.1105),
-  ('chair_back', 5, 'z_max', 1.104, 0.05298),
-  ('chair_back', 5, 'z_min', 0.4006, 0.06458);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 6, 0.1171, '');
+  ('chair_back', 5, 'aspect', 0.5549, 0.1529),
+  ('chair_back', 5, 'behind', 0.7195, 0.05504),
+  ('chair_back', 5, 'corner_offset', 1.628, 0.4726),
+  ('chair_back', 5, 'edge_concave', 0.09933, 0.1048),
+  ('chair_back', 5, 'edge_convex', 0.11, 0.1111),
+  ('chair_back', 5, 'edge_free', 0.6704, 0.1726),
+  ('chair_back', 5, 'edge_free_top', 0.7885, 0.2234),
+  ('chair_back', 5, 'edge_unseen', 0.005311, 0.03096),
+  ('chair_back', 5, 'headroom', 1.67, 0.222),
+  ('chair_back', 5, 'height', 0.7865, 0.05359),
+  ('chair_back', 5, 'lift', -0.02213, 0.06225),
+  ('chair_back', 5, 'rectangularity', 0.6618, 0.09502),
+  ('chair_back', 5, 'spread_length', -0.4639, 0.1278),
+  ('chair_back', 5, 'spread_width', -0.9358, 0.2697),
+  ('chair_back', 5, 'standoff', 1.221, 0.1698),
+  ('chair_back', 5, 'tilt_deg', 79.86, 2.522),
+  ('chair_back', 5, 'wall_offset', 1.431, 0.2975),
+  ('chair_back', 5, 'width', -0.7418, 0.2174),
+  ('chair_back', 5, 'z_max', 1.041, 0.1035),
+  ('chair_back', 5, 'z_min', 0.1378, 0.1282);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 6, 0.05905, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 6, 'area_m2', -2.542, 0.3785),
-  ('chair_back', 6, 'aspect', 0.6711, 0.4617),
-  ('chair_back', 6, 'behind', 0.5692, 0.3851),
-  ('chair_back', 6, 'edge_free', 0.6199, 0.1389),
-  ('chair_back', 6, 'edge_free_top', 0.9608, 0.07993),
-  ('chair_back', 6, 'edge_joined', 0.06154, 0.08599),
-  ('chair_back', 6, 'edge_unseen', 0.009588, 0.03519),
-  ('chair_back', 6, 'height', 0.8504, 0.05553),
-  ('chair_back', 6, 'length', -0.7853, 0.2103),
-  ('chair_back', 6, 'rectangularity', 0.7541, 0.1337),
-  ('chair_back', 6, 'spread_length', -0.878, 0.1333),
-  ('chair_back', 6, 'spread_width', -1.795, 0.2003),
-  ('chair_back', 6, 'tilt_deg', 80.03, 2.624),
-  ('chair_back', 6, 'width', -1.512, 0.268),
-  ('chair_back', 6, 'z_max', 1.037, 0.06091),
-  ('chair_back', 6, 'z_min', 0.569, 0.04812);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 7, 0.06709, '');
+  ('chair_back', 6, 'aspect', 0.5654, 0.2165),
+  ('chair_back', 6, 'behind', 0.6837, 0.1666),
+  ('chair_back', 6, 'corner_offset', 1.054, 0.5497),
+  ('chair_back', 6, 'edge_concave', 0.2161, 0.05948),
+  ('chair_back', 6, 'edge_convex', 0.001923, 0.03),
+  ('chair_back', 6, 'edge_free', 0.7431, 0.2),
+  ('chair_back', 6, 'edge_free_top', 0.983, 0.04897),
+  ('chair_back', 6, 'edge_unseen', 0.02898, 0.07213),
+  ('chair_back', 6, 'headroom', 1.663, 0.1721),
+  ('chair_back', 6, 'height', 0.8325, 0.03796),
+  ('chair_back', 6, 'lift', -0.02387, 0.03349),
+  ('chair_back', 6, 'rectangularity', 0.7747, 0.07532),
+  ('chair_back', 6, 'spread_length', -0.5939, 0.06843),
+  ('chair_back', 6, 'spread_width', -1.268, 0.304),
+  ('chair_back', 6, 'standoff', 1.152, 0.1655),
+  ('chair_back', 6, 'tilt_deg', 79.3, 2.529),
+  ('chair_back', 6, 'wall_offset', 2.65, 3.554),
+  ('chair_back', 6, 'width', -0.9634, 0.2092),
+  ('chair_back', 6, 'z_max', 1.075, 0.06106),
+  ('chair_back', 6, 'z_min', 0.4337, 0.04892);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 7, 0.07328, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 7, 'area_m2', -2.881, 0.6506),
-  ('chair_back', 7, 'aspect', 0.3078, 0.1864),
-  ('chair_back', 7, 'behind', 0.04232, 0.1412),
-  ('chair_back', 7, 'edge_free', 0.9816, 0.0479),
-  ('chair_back', 7, 'edge_free_top', 0.9992, 0.03244),
-  ('chair_back', 7, 'edge_joined', 0.01428, 0.04341),
-  ('chair_back', 7, 'edge_unseen', 0.4603, 0.1309),
-  ('chair_back', 7, 'height', 0.9248, 0.07306),
-  ('chair_back', 7, 'length', -0.9587, 0.3013),
-  ('chair_back', 7, 'rectangularity', 0.6292, 0.07088),
-  ('chair_back', 7, 'spread_length', -1.179, 0.2978),
-  ('chair_back', 7, 'spread_width', -1.757, 0.3923),
-  ('chair_back', 7, 'tilt_deg', 80.78, 2.468),
-  ('chair_back', 7, 'width', -1.452, 0.4337),
-  ('chair_back', 7, 'z_max', 1.023, 0.07186),
-  ('chair_back', 7, 'z_min', 0.6751, 0.09078);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 8, 0.07621, '');
+  ('chair_back', 7, 'aspect', 0.2784, 0.1674),
+  ('chair_back', 7, 'behind', 0.008539, 0.105),
+  ('chair_back', 7, 'corner_offset', 2.404, 2.209),
+  ('chair_back', 7, 'edge_concave', 0.001094, 0.03954),
+  ('chair_back', 7, 'edge_convex', 0.00264, 0.03804),
+  ('chair_back', 7, 'edge_free', 0.9846, 0.04578),
+  ('chair_back', 7, 'edge_free_top', 0.9994, 0.03568),
+  ('chair_back', 7, 'edge_unseen', 0.5039, 0.1094),
+  ('chair_back', 7, 'headroom', 1.667, 0.1183),
+  ('chair_back', 7, 'height', 0.9338, 0.04375),
+  ('chair_back', 7, 'lift', 0.1262, 0.03611),
+  ('chair_back', 7, 'rectangularity', 0.6371, 0.05921),
+  ('chair_back', 7, 'spread_length', -1.312, 0.3318),
+  ('chair_back', 7, 'spread_width', -1.822, 0.4663),
+  ('chair_back', 7, 'standoff', 1.122, 0.1894),
+  ('chair_back', 7, 'tilt_deg', 80.88, 2.42),
+  ('chair_back', 7, 'wall_offset', 2.323, 0.8536),
+  ('chair_back', 7, 'width', -1.512, 0.5227),
+  ('chair_back', 7, 'z_max', 0.9915, 0.05318),
+  ('chair_back', 7, 'z_min', 0.7035, 0.07325);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 8, 0.06383, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 8, 'area_m2', -1.701, 0.2044),
-  ('chair_back', 8, 'aspect', 0.1312, 0.1016),
-  ('chair_back', 8, 'behind', 0.5511, 0.3284),
-  ('chair_back', 8, 'edge_free', 0.57, 0.1585),
-  ('chair_back', 8, 'edge_free_top', 0.7562, 0.2787),
-  ('chair_back', 8, 'edge_joined', 0.3684, 0.2003),
-  ('chair_back', 8, 'edge_unseen', 0.04408, 0.118),
-  ('chair_back', 8, 'height', 0.7736, 0.04642),
-  ('chair_back', 8, 'length', -0.6677, 0.1129),
-  ('chair_back', 8, 'rectangularity', 0.8199, 0.09861),
-  ('chair_back', 8, 'spread_length', -0.7665, 0.0574),
-  ('chair_back', 8, 'spread_width', -0.9907, 0.1785),
-  ('chair_back', 8, 'tilt_deg', 80.2, 2.676),
-  ('chair_back', 8, 'width', -0.8278, 0.1089),
-  ('chair_back', 8, 'z_max', 0.9541, 0.05441),
-  ('chair_back', 8, 'z_min', 0.4771, 0.07979);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 9, 0.0726, '');
+  ('chair_back', 8, 'aspect', 0.2961, 0.2045),
+  ('chair_back', 8, 'behind', 0.593, 0.2981),
+  ('chair_back', 8, 'corner_offset', 1.658, 0.3299),
+  ('chair_back', 8, 'edge_concave', 0.005338, 0.03006),
+  ('chair_back', 8, 'edge_convex', 0.2823, 0.1117),
+  ('chair_back', 8, 'edge_free', 0.8109, 0.07993),
+  ('chair_back', 8, 'edge_free_top', 0.9843, 0.04376),
+  ('chair_back', 8, 'edge_unseen', 0.002633, 0.03016),
+  ('chair_back', 8, 'headroom', 1.818, 0.2123),
+  ('chair_back', 8, 'height', 0.7336, 0.02925),
+  ('chair_back', 8, 'lift', -0.04833, 0.049),
+  ('chair_back', 8, 'rectangularity', 0.7798, 0.07706),
+  ('chair_back', 8, 'spread_length', -0.744, 0.05948),
+  ('chair_back', 8, 'spread_width', -1.148, 0.1492),
+  ('chair_back', 8, 'standoff', 0.9411, 0.448),
+  ('chair_back', 8, 'tilt_deg', 82.03, 2.399),
+  ('chair_back', 8, 'wall_offset', 2.102, 2.868),
+  ('chair_back', 8, 'width', -0.8748, 0.08336),
+  ('chair_back', 8, 'z_max', 0.9152, 0.03979),
+  ('chair_back', 8, 'z_min', 0.3799, 0.07948);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 9, 0.1604, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 9, 'area_m2', -1.19, 0.2515),
-  ('chair_back', 9, 'aspect', 0.6989, 0.2953),
-  ('chair_back', 9, 'behind', 0.7033, 0.1239),
-  ('chair_back', 9, 'edge_free', 0.789, 0.1823),
-  ('chair_back', 9, 'edge_free_top', 0.9764, 0.05612),
-  ('chair_back', 9, 'edge_joined', 0.1299, 0.1339),
-  ('chair_back', 9, 'edge_unseen', 0.02639, 0.06182),
-  ('chair_back', 9, 'height', 0.7663, 0.08707),
-  ('chair_back', 9, 'length', -0.05881, 0.2047),
-  ('chair_back', 9, 'rectangularity', 0.6407, 0.07756),
-  ('chair_back', 9, 'spread_length', -0.4332, 0.142),
-  ('chair_back', 9, 'spread_width', -0.9079, 0.2176),
-  ('chair_back', 9, 'tilt_deg', 80.72, 2.465),
-  ('chair_back', 9, 'width', -0.6986, 0.1788),
-  ('chair_back', 9, 'z_max', 1.034, 0.1006),
-  ('chair_back', 9, 'z_min', 0.05688, 0.08186);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 10, 0.02503, '');
+  ('chair_back', 9, 'aspect', 0.6977, 0.4872),
+  ('chair_back', 9, 'behind', 0.3228, 0.4478),
+  ('chair_back', 9, 'corner_offset', 1.379, 0.3188),
+  ('chair_back', 9, 'edge_concave', 0.09537, 0.1337),
+  ('chair_back', 9, 'edge_convex', 0.003239, 0.03),
+  ('chair_back', 9, 'edge_free', 0.3418, 0.1812),
+  ('chair_back', 9, 'edge_free_top', 0.4526, 0.2735),
+  ('chair_back', 9, 'edge_unseen', 0.1705, 0.247),
+  ('chair_back', 9, 'headroom', 2.125, 0.2801),
+  ('chair_back', 9, 'height', 0.8566, 0.1156),
+  ('chair_back', 9, 'lift', 0.08972, 0.03347),
+  ('chair_back', 9, 'rectangularity', 0.5944, 0.07207),
+  ('chair_back', 9, 'spread_length', -0.8712, 0.1361),
+  ('chair_back', 9, 'spread_width', -1.885, 0.3452),
+  ('chair_back', 9, 'standoff', 1.072, 0.1329),
+  ('chair_back', 9, 'tilt_deg', 79.8, 2.644),
+  ('chair_back', 9, 'wall_offset', 1.328, 0.3575),
+  ('chair_back', 9, 'width', -1.594, 0.4367),
+  ('chair_back', 9, 'z_max', 1.071, 0.06391),
+  ('chair_back', 9, 'z_min', 0.5732, 0.06213);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('chair_back', 10, 0.06074, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('chair_back', 10, 'area_m2', -3.136, 0.3996),
-  ('chair_back', 10, 'aspect', 0.6736, 0.367),
-  ('chair_back', 10, 'behind', 0.2772, 0.3304),
-  ('chair_back', 10, 'edge_free', 0.3942, 0.2557),
-  ('chair_back', 10, 'edge_free_top', 0.2724, 0.08873),
-  ('chair_back', 10, 'edge_joined', 0.1615, 0.2382),
-  ('chair_back', 10, 'edge_unseen', 0.2624, 0.2259),
-  ('chair_back', 10, 'height', 0.6766, 0.3065),
-  ('chair_back', 10, 'length', -1.006, 0.2169),
-  ('chair_back', 10, 'rectangularity', 0.6153, 0.0965),
-  ('chair_back', 10, 'spread_length', -1.194, 0.2464),
-  ('chair_back', 10, 'spread_width', -1.92, 0.3211),
-  ('chair_back', 10, 'tilt_deg', 78.87, 2.718),
-  ('chair_back', 10, 'width', -1.701, 0.3375),
-  ('chair_back', 10, 'z_max', 0.917, 0.156),
-  ('chair_back', 10, 'z_min', 0.4611, 0.3399);
+  ('chair_back', 10, 'aspect', 0.5852, 0.2599),
+  ('chair_back', 10, 'behind', 0.6951, 0.07376),
+  ('chair_back', 10, 'corner_offset', 2.309, 0.3578),
+  ('chair_back', 10, 'edge_concave', 0.008188, 0.03004),
+  ('chair_back', 10, 'edge_convex', 0.002547, 0.03),
+  ('chair_back', 10, 'edge_free', 0.6756, 0.1006),
+  ('chair_back', 10, 'edge_free_top', 0.9967, 0.03),
+  ('chair_back', 10, 'edge_unseen', 0.1042, 0.1975),
+  ('chair_back', 10, 'headroom', 1.758, 0.3654),
+  ('chair_back', 10, 'height', 0.8058, 0.1065),
+  ('chair_back', 10, 'lift', 0.2685, 0.08665),
+  ('chair_back', 10, 'rectangularity', 0.8203, 0.1238),
+  ('chair_back', 10, 'spread_length', -0.9025, 0.136),
+  ('chair_back', 10, 'spread_width', -1.619, 0.2441),
+  ('chair_back', 10, 'standoff', 1.031, 0.05913),
+  ('chair_back', 10, 'tilt_deg', 79.66, 2.473),
+  ('chair_back', 10, 'wall_offset', 1.317, 0.4191),
+  ('chair_back', 10, 'width', -1.359, 0.1375),
+  ('chair_back', 10, 'z_max', 0.9979, 0.1203),
+  ('chair_back', 10, 'z_min', 0.5424, 0.1185);
 
 -- door: 295 examples
-UPDATE object_class SET prior = 0.01512 WHERE name = 'door';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'area_m2', 0.2425, 0.5999)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.02368 WHERE name = 'door';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'aspect', 0.8219, 0.2943)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'behind', 0.1607, 0.255)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'corner_offset', 1.012, 0.7905)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_concave', 0.1494, 0.1438)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_convex', 2.56e-05, 0.005)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_free', 0.1405, 0.243)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_free_top', 0.2376, 0.3797)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_joined', 0.3704, 0.3346)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'edge_unseen', 0.1077, 0.1747)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'height', 1.148, 0.1876)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'headroom', 0.6961, 0.3508)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'length', 0.6403, 0.2565)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'height', 1.148, 0.1876)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'rectangularity', 0.8191, 0.1265)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2798,7 +3372,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'spread_
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'spread_width', -0.31, 0.3862)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'standoff', 0.3374, 0.4595)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'tilt_deg', 89.72, 1.289)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'wall_offset', 0.4877, 1.319)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'width', -0.1827, 0.3499)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -2808,206 +3386,250 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('door', 'z_min',
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'door';
 DELETE FROM class_density WHERE class = 'door';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 1, 0.2379, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 1, 0.1918, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 1, 'area_m2', 0.5595, 0.08542),
-  ('door', 1, 'aspect', 0.7652, 0.07927),
-  ('door', 1, 'behind', -0.007376, 0.03),
-  ('door', 1, 'edge_free', -0.0003906, 0.03),
-  ('door', 1, 'edge_free_top', 0.002233, 0.03102),
-  ('door', 1, 'edge_joined', 0.4334, 0.33),
-  ('door', 1, 'edge_unseen', 0.006837, 0.03153),
-  ('door', 1, 'height', 1.072, 0.05816),
-  ('door', 1, 'length', 0.7184, 0.03454),
-  ('door', 1, 'rectangularity', 0.9078, 0.06532),
-  ('door', 1, 'spread_length', 0.6482, 0.04356),
-  ('door', 1, 'spread_width', -0.14, 0.04402),
-  ('door', 1, 'tilt_deg', 89.98, 0.45),
-  ('door', 1, 'width', -0.07174, 0.08199),
-  ('door', 1, 'z_max', 2.048, 0.04538),
-  ('door', 1, 'z_min', 0.003184, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 2, 0.1575, '');
+  ('door', 1, 'aspect', 0.7631, 0.3133),
+  ('door', 1, 'behind', -0.008584, 0.03),
+  ('door', 1, 'corner_offset', 0.8325, 0.7718),
+  ('door', 1, 'edge_concave', 0.1192, 0.1155),
+  ('door', 1, 'edge_convex', -0.0004669, 0.03),
+  ('door', 1, 'edge_free', -0.004281, 0.03),
+  ('door', 1, 'edge_free_top', 0.005636, 0.03006),
+  ('door', 1, 'edge_unseen', 0.009292, 0.03862),
+  ('door', 1, 'headroom', 0.6843, 0.4324),
+  ('door', 1, 'height', 1.132, 0.07812),
+  ('door', 1, 'lift', -0.03406, 0.3147),
+  ('door', 1, 'rectangularity', 0.8279, 0.1581),
+  ('door', 1, 'spread_length', 0.5835, 0.07422),
+  ('door', 1, 'spread_width', -0.1223, 0.07434),
+  ('door', 1, 'standoff', 0.04845, 0.1484),
+  ('door', 1, 'tilt_deg', 90.03, 0.45),
+  ('door', 1, 'wall_offset', -0.08503, 0.04),
+  ('door', 1, 'width', -0.1308, 0.09536),
+  ('door', 1, 'z_max', 2.037, 0.03807),
+  ('door', 1, 'z_min', 0.001245, 0.0248);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 2, 0.1544, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 2, 'area_m2', 0.579, 0.1233),
-  ('door', 2, 'aspect', 0.8565, 0.07778),
-  ('door', 2, 'behind', 0.5072, 0.1446),
-  ('door', 2, 'edge_free', 0.3865, 0.1157),
-  ('door', 2, 'edge_free_top', 0.7781, 0.1677),
-  ('door', 2, 'edge_joined', 0.3463, 0.3055),
-  ('door', 2, 'edge_unseen', 0.004658, 0.03),
-  ('door', 2, 'height', 1.071, 0.03364),
-  ('door', 2, 'length', 0.8029, 0.07342),
-  ('door', 2, 'rectangularity', 0.8353, 0.05261),
-  ('door', 2, 'spread_length', 0.6814, 0.04147),
-  ('door', 2, 'spread_width', -0.1284, 0.1048),
-  ('door', 2, 'tilt_deg', 89.98, 0.45),
-  ('door', 2, 'width', -0.02749, 0.1073),
-  ('door', 2, 'z_max', 2.202, 0.1085),
-  ('door', 2, 'z_min', -0.009169, 0.02335);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 3, 0.145, '');
+  ('door', 2, 'aspect', 0.8611, 0.05668),
+  ('door', 2, 'behind', 0.4899, 0.1283),
+  ('door', 2, 'corner_offset', 0.5319, 0.08386),
+  ('door', 2, 'edge_concave', 0.2081, 0.1137),
+  ('door', 2, 'edge_convex', -0.0007996, 0.03),
+  ('door', 2, 'edge_free', 0.422, 0.1097),
+  ('door', 2, 'edge_free_top', 0.7956, 0.1723),
+  ('door', 2, 'edge_unseen', 0.004156, 0.03),
+  ('door', 2, 'headroom', 0.6456, 0.4518),
+  ('door', 2, 'height', 1.075, 0.02455),
+  ('door', 2, 'lift', -0.0002037, 0.3169),
+  ('door', 2, 'rectangularity', 0.8637, 0.06359),
+  ('door', 2, 'spread_length', 0.6847, 0.04152),
+  ('door', 2, 'spread_width', -0.1197, 0.09423),
+  ('door', 2, 'standoff', 0.7063, 0.1865),
+  ('door', 2, 'tilt_deg', 89.99, 0.45),
+  ('door', 2, 'wall_offset', 0.7784, 0.432),
+  ('door', 2, 'width', -0.01966, 0.0968),
+  ('door', 2, 'z_max', 2.154, 0.08377),
+  ('door', 2, 'z_min', -0.007812, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 3, 0.192, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 3, 'area_m2', 0.3081, 0.1544),
-  ('door', 3, 'aspect', 0.8275, 0.1502),
-  ('door', 3, 'behind', -0.002395, 0.03),
-  ('door', 3, 'edge_free', -8.429e-05, 0.03),
-  ('door', 3, 'edge_free_top', 0.0043, 0.03184),
-  ('door', 3, 'edge_joined', 0.3428, 0.2908),
-  ('door', 3, 'edge_unseen', 0.2247, 0.2252),
-  ('door', 3, 'height', 1.226, 0.1136),
-  ('door', 3, 'length', 0.7093, 0.04498),
-  ('door', 3, 'rectangularity', 0.7833, 0.1136),
-  ('door', 3, 'spread_length', 0.4285, 0.1304),
-  ('door', 3, 'spread_width', -0.2495, 0.1152),
-  ('door', 3, 'tilt_deg', 89.97, 0.45),
-  ('door', 3, 'width', -0.1446, 0.1224),
-  ('door', 3, 'z_max', 2.066, 0.03986),
-  ('door', 3, 'z_min', 0.0464, 0.08867);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 4, 0.1113, '');
+  ('door', 3, 'aspect', 0.608, 0.2503),
+  ('door', 3, 'behind', -0.004504, 0.03),
+  ('door', 3, 'corner_offset', 0.7953, 0.2916),
+  ('door', 3, 'edge_concave', 0.01677, 0.03114),
+  ('door', 3, 'edge_convex', -0.0005896, 0.03001),
+  ('door', 3, 'edge_free', -0.007748, 0.03),
+  ('door', 3, 'edge_free_top', 0.001429, 0.03),
+  ('door', 3, 'edge_unseen', 0.2368, 0.2123),
+  ('door', 3, 'headroom', 0.7911, 0.2753),
+  ('door', 3, 'height', 1.402, 0.06521),
+  ('door', 3, 'lift', -0.1986, 0.143),
+  ('door', 3, 'rectangularity', 0.7134, 0.1356),
+  ('door', 3, 'spread_length', 0.07744, 0.1696),
+  ('door', 3, 'spread_width', -0.2679, 0.09561),
+  ('door', 3, 'standoff', 0.1229, 0.1012),
+  ('door', 3, 'tilt_deg', 90.03, 0.45),
+  ('door', 3, 'wall_offset', 0.3828, 1.124),
+  ('door', 3, 'width', -0.1241, 0.06581),
+  ('door', 3, 'z_max', 2.067, 0.04313),
+  ('door', 3, 'z_min', 0.3276, 0.1679);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 4, 0.04081, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 4, 'area_m2', 0.03824, 0.5452),
-  ('door', 4, 'aspect', 0.613, 0.2751),
-  ('door', 4, 'behind', -0.002829, 0.03),
-  ('door', 4, 'edge_free', -0.001681, 0.03),
-  ('door', 4, 'edge_free_top', 0.006015, 0.03092),
-  ('door', 4, 'edge_joined', 0.4412, 0.3173),
-  ('door', 4, 'edge_unseen', 0.2336, 0.225),
-  ('door', 4, 'height', 1.194, 0.1807),
-  ('door', 4, 'length', 0.5936, 0.1956),
-  ('door', 4, 'rectangularity', 0.7034, 0.1253),
-  ('door', 4, 'spread_length', 0.2598, 0.3147),
-  ('door', 4, 'spread_width', -0.4527, 0.5258),
-  ('door', 4, 'tilt_deg', 89.91, 0.45),
-  ('door', 4, 'width', -0.1672, 0.5307),
-  ('door', 4, 'z_max', 2.046, 0.04949),
-  ('door', 4, 'z_min', 0.2619, 0.1902);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 5, 0.06785, '');
+  ('door', 4, 'aspect', 0.9463, 0.286),
+  ('door', 4, 'behind', 0.0001132, 0.03004),
+  ('door', 4, 'corner_offset', 1.79, 0.3756),
+  ('door', 4, 'edge_concave', 0.06019, 0.04269),
+  ('door', 4, 'edge_convex', -0.0009049, 0.03),
+  ('door', 4, 'edge_free', 0.009659, 0.03362),
+  ('door', 4, 'edge_free_top', 0.01005, 0.03979),
+  ('door', 4, 'edge_unseen', 0.3418, 0.1952),
+  ('door', 4, 'headroom', 0.5952, 0.1773),
+  ('door', 4, 'height', 1.146, 0.1506),
+  ('door', 4, 'lift', -0.01077, 0.3248),
+  ('door', 4, 'rectangularity', 0.7389, 0.08149),
+  ('door', 4, 'spread_length', 0.5215, 0.08025),
+  ('door', 4, 'spread_width', -0.3671, 0.3057),
+  ('door', 4, 'standoff', 0.1729, 0.1481),
+  ('door', 4, 'tilt_deg', 89.75, 0.6171),
+  ('door', 4, 'wall_offset', 2.994, 7.094),
+  ('door', 4, 'width', -0.1934, 0.3004),
+  ('door', 4, 'z_max', 2.11, 0.2599),
+  ('door', 4, 'z_min', 0.09848, 0.08635);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 5, 0.1274, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 5, 'area_m2', 0.1113, 0.2137),
-  ('door', 5, 'aspect', 0.7368, 0.2158),
-  ('door', 5, 'behind', 0.4861, 0.1418),
-  ('door', 5, 'edge_free', 0.4605, 0.2679),
-  ('door', 5, 'edge_free_top', 0.6862, 0.1958),
-  ('door', 5, 'edge_joined', 0.2966, 0.2692),
-  ('door', 5, 'edge_unseen', 0.2079, 0.204),
-  ('door', 5, 'height', 1.314, 0.1001),
-  ('door', 5, 'length', 0.6112, 0.1644),
-  ('door', 5, 'rectangularity', 0.7262, 0.1056),
-  ('door', 5, 'spread_length', 0.2346, 0.2153),
-  ('door', 5, 'spread_width', -0.2664, 0.1982),
-  ('door', 5, 'tilt_deg', 89.99, 0.45),
-  ('door', 5, 'width', -0.1661, 0.1491),
-  ('door', 5, 'z_max', 2.185, 0.1032),
-  ('door', 5, 'z_min', 0.4319, 0.2291);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 6, 0.05625, '');
+  ('door', 5, 'aspect', 0.5957, 0.2119),
+  ('door', 5, 'behind', 0.6058, 0.1362),
+  ('door', 5, 'corner_offset', 0.4736, 0.04003),
+  ('door', 5, 'edge_concave', 0.08499, 0.05597),
+  ('door', 5, 'edge_convex', 0.001399, 0.03004),
+  ('door', 5, 'edge_free', 0.3234, 0.2826),
+  ('door', 5, 'edge_free_top', 0.5143, 0.239),
+  ('door', 5, 'edge_unseen', 0.1457, 0.1764),
+  ('door', 5, 'headroom', 0.4411, 0.3242),
+  ('door', 5, 'height', 1.374, 0.1814),
+  ('door', 5, 'lift', -0.01924, 0.4119),
+  ('door', 5, 'rectangularity', 0.6973, 0.1217),
+  ('door', 5, 'spread_length', 0.004145, 0.2044),
+  ('door', 5, 'spread_width', -0.2309, 0.1863),
+  ('door', 5, 'standoff', 0.5258, 0.2478),
+  ('door', 5, 'tilt_deg', 90, 0.4509),
+  ('door', 5, 'wall_offset', 2.745, 2.631),
+  ('door', 5, 'width', -0.189, 0.1761),
+  ('door', 5, 'z_max', 2.082, 0.1678),
+  ('door', 5, 'z_min', 0.6391, 0.2653);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 6, 0.06701, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 6, 'area_m2', 0.4135, 0.2001),
-  ('door', 6, 'aspect', 0.7909, 0.05881),
-  ('door', 6, 'behind', 0.4325, 0.08298),
-  ('door', 6, 'edge_free', 0.5956, 0.1699),
-  ('door', 6, 'edge_free_top', 0.9117, 0.08334),
-  ('door', 6, 'edge_joined', 0.09721, 0.1056),
-  ('door', 6, 'edge_unseen', 0.1832, 0.1554),
-  ('door', 6, 'height', 1.218, 0.06849),
-  ('door', 6, 'length', 0.752, 0.05944),
-  ('door', 6, 'rectangularity', 0.7481, 0.1277),
-  ('door', 6, 'spread_length', 0.3885, 0.1272),
-  ('door', 6, 'spread_width', -0.16, 0.07161),
-  ('door', 6, 'tilt_deg', 89.97, 0.45),
-  ('door', 6, 'width', -0.03392, 0.06048),
-  ('door', 6, 'z_max', 2.129, 0.07883),
-  ('door', 6, 'z_min', -0.003274, 0.03597);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 7, 0.05962, '');
+  ('door', 6, 'aspect', 0.843, 0.08394),
+  ('door', 6, 'behind', 0.4359, 0.08594),
+  ('door', 6, 'corner_offset', -0.006882, 0.2415),
+  ('door', 6, 'edge_concave', 0.1939, 0.1691),
+  ('door', 6, 'edge_convex', 0.02552, 0.07266),
+  ('door', 6, 'edge_free', 0.3791, 0.2332),
+  ('door', 6, 'edge_free_top', 0.8286, 0.1238),
+  ('door', 6, 'edge_unseen', 0.1516, 0.1572),
+  ('door', 6, 'headroom', 0.6352, 0.2524),
+  ('door', 6, 'height', 1.214, 0.06106),
+  ('door', 6, 'lift', 0.002437, 0.3294),
+  ('door', 6, 'rectangularity', 0.7987, 0.1198),
+  ('door', 6, 'spread_length', 0.377, 0.1589),
+  ('door', 6, 'spread_width', -0.266, 0.1605),
+  ('door', 6, 'standoff', 0.346, 0.1187),
+  ('door', 6, 'tilt_deg', 89.98, 0.45),
+  ('door', 6, 'wall_offset', 0.5353, 0.3515),
+  ('door', 6, 'width', -0.06607, 0.09226),
+  ('door', 6, 'z_max', 2.156, 0.08663),
+  ('door', 6, 'z_min', -0.008503, 0.02277);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 7, 0.04378, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 7, 'area_m2', -0.2975, 0.2807),
-  ('door', 7, 'aspect', 0.3205, 0.1335),
-  ('door', 7, 'behind', 0.4363, 0.3339),
-  ('door', 7, 'edge_free', 0.08625, 0.1194),
-  ('door', 7, 'edge_free_top', 0.1807, 0.2488),
-  ('door', 7, 'edge_joined', 0.5281, 0.3196),
-  ('door', 7, 'edge_unseen', 0.2261, 0.1239),
-  ('door', 7, 'height', 1.373, 0.1961),
-  ('door', 7, 'length', 0.1858, 0.1662),
-  ('door', 7, 'rectangularity', 0.7489, 0.1185),
-  ('door', 7, 'spread_length', -0.03576, 0.09239),
-  ('door', 7, 'spread_width', -0.3431, 0.206),
-  ('door', 7, 'tilt_deg', 89.29, 1.505),
-  ('door', 7, 'width', -0.1552, 0.1371),
-  ('door', 7, 'z_max', 2.026, 0.1163),
-  ('door', 7, 'z_min', 0.7957, 0.3012);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 8, 0.04608, '');
+  ('door', 7, 'aspect', 1.005, 0.2577),
+  ('door', 7, 'behind', 0.2199, 0.1551),
+  ('door', 7, 'corner_offset', 3.484, 0.548),
+  ('door', 7, 'edge_concave', 0.08669, 0.04924),
+  ('door', 7, 'edge_convex', -0.0002637, 0.03),
+  ('door', 7, 'edge_free', 0.4335, 0.332),
+  ('door', 7, 'edge_free_top', 0.7869, 0.241),
+  ('door', 7, 'edge_unseen', 0.4004, 0.0606),
+  ('door', 7, 'headroom', 0.6827, 0.1051),
+  ('door', 7, 'height', 1.204, 0.09953),
+  ('door', 7, 'lift', -0.001223, 0.3167),
+  ('door', 7, 'rectangularity', 0.6792, 0.04704),
+  ('door', 7, 'spread_length', 0.4122, 0.08318),
+  ('door', 7, 'spread_width', -0.4088, 0.2498),
+  ('door', 7, 'standoff', 0.7385, 0.2045),
+  ('door', 7, 'tilt_deg', 89.23, 1.339),
+  ('door', 7, 'wall_offset', 1.604, 2.159),
+  ('door', 7, 'width', -0.2592, 0.1998),
+  ('door', 7, 'z_max', 2.104, 0.07569),
+  ('door', 7, 'z_min', 0.02232, 0.07606);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 8, 0.02785, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 8, 'area_m2', -1.172, 0.5686),
-  ('door', 8, 'aspect', 0.8944, 0.2116),
-  ('door', 8, 'behind', 0.08988, 0.2085),
-  ('door', 8, 'edge_free', 0.1032, 0.1277),
-  ('door', 8, 'edge_free_top', 0.1037, 0.1802),
-  ('door', 8, 'edge_joined', 0.245, 0.1518),
-  ('door', 8, 'edge_unseen', 0.1302, 0.1557),
-  ('door', 8, 'height', 0.5894, 0.266),
-  ('door', 8, 'length', -0.03033, 0.2678),
-  ('door', 8, 'rectangularity', 0.8161, 0.1146),
-  ('door', 8, 'spread_length', -0.07555, 0.2408),
-  ('door', 8, 'spread_width', -1.044, 0.2216),
-  ('door', 8, 'tilt_deg', 89.15, 0.9064),
-  ('door', 8, 'width', -0.9508, 0.2045),
-  ('door', 8, 'z_max', 0.985, 0.3301),
-  ('door', 8, 'z_min', 0.08872, 0.1488);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 9, 0.02651, '');
+  ('door', 8, 'aspect', 1.671, 0.2757),
+  ('door', 8, 'behind', 0.03289, 0.07675),
+  ('door', 8, 'corner_offset', 1.007, 0.2365),
+  ('door', 8, 'edge_concave', 0.0936, 0.137),
+  ('door', 8, 'edge_convex', -0.00174, 0.03269),
+  ('door', 8, 'edge_free', 0.09424, 0.2679),
+  ('door', 8, 'edge_free_top', 0.0852, 0.2306),
+  ('door', 8, 'edge_unseen', 0.2044, 0.2108),
+  ('door', 8, 'headroom', 0.8379, 0.2722),
+  ('door', 8, 'height', 1.087, 0.1837),
+  ('door', 8, 'lift', -0.01035, 0.32),
+  ('door', 8, 'rectangularity', 0.721, 0.1419),
+  ('door', 8, 'spread_length', 0.482, 0.276),
+  ('door', 8, 'spread_width', -1.382, 0.2785),
+  ('door', 8, 'standoff', 0.1989, 0.1386),
+  ('door', 8, 'tilt_deg', 89.93, 0.4505),
+  ('door', 8, 'wall_offset', -0.008745, 0.1687),
+  ('door', 8, 'width', -1.062, 0.3893),
+  ('door', 8, 'z_max', 2.026, 0.03942),
+  ('door', 8, 'z_min', 0.1769, 0.1962);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 9, 0.07479, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 9, 'area_m2', -1.821, 0.6882),
-  ('door', 9, 'aspect', 1.512, 0.4246),
-  ('door', 9, 'behind', 0.1698, 0.2898),
-  ('door', 9, 'edge_free', 0.4182, 0.2459),
-  ('door', 9, 'edge_free_top', 0.4492, 0.3601),
-  ('door', 9, 'edge_joined', 0.3066, 0.2479),
-  ('door', 9, 'edge_unseen', 0.1842, 0.19),
-  ('door', 9, 'height', 1.462, 0.3317),
-  ('door', 9, 'length', 0.01009, 0.43),
-  ('door', 9, 'rectangularity', 0.7151, 0.05864),
-  ('door', 9, 'spread_length', -0.1615, 0.3742),
-  ('door', 9, 'spread_width', -1.69, 0.3372),
-  ('door', 9, 'tilt_deg', 88.24, 2.734),
-  ('door', 9, 'width', -1.543, 0.373),
-  ('door', 9, 'z_max', 1.906, 0.1721),
-  ('door', 9, 'z_min', 0.9556, 0.6879);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 10, 0.04197, '');
+  ('door', 9, 'aspect', 0.857, 0.2168),
+  ('door', 9, 'behind', 0.02548, 0.06997),
+  ('door', 9, 'corner_offset', 1.027, 0.05966),
+  ('door', 9, 'edge_concave', 0.1582, 0.1149),
+  ('door', 9, 'edge_convex', -0.0003672, 0.03006),
+  ('door', 9, 'edge_free', 0.1011, 0.1267),
+  ('door', 9, 'edge_free_top', 0.08397, 0.1809),
+  ('door', 9, 'edge_unseen', 0.08886, 0.1322),
+  ('door', 9, 'headroom', 1.647, 0.2349),
+  ('door', 9, 'height', 0.6238, 0.3402),
+  ('door', 9, 'lift', -0.005982, 0.3611),
+  ('door', 9, 'rectangularity', 0.851, 0.07853),
+  ('door', 9, 'spread_length', -0.1451, 0.2545),
+  ('door', 9, 'spread_width', -1.088, 0.2305),
+  ('door', 9, 'standoff', 0.1825, 0.1286),
+  ('door', 9, 'tilt_deg', 89.25, 0.7636),
+  ('door', 9, 'wall_offset', 0.6776, 0.9808),
+  ('door', 9, 'width', -1.006, 0.2182),
+  ('door', 9, 'z_max', 0.994, 0.3216),
+  ('door', 9, 'z_min', 0.05863, 0.09661);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('door', 10, 0.03017, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('door', 10, 'area_m2', -0.03746, 0.1381),
-  ('door', 10, 'aspect', 1.208, 0.1752),
-  ('door', 10, 'behind', 0.1414, 0.1371),
-  ('door', 10, 'edge_free', 0.1453, 0.1419),
-  ('door', 10, 'edge_free_top', 0.05236, 0.08654),
-  ('door', 10, 'edge_joined', 0.1564, 0.1993),
-  ('door', 10, 'edge_unseen', 0.2771, 0.1398),
-  ('door', 10, 'height', 1.098, 0.09192),
-  ('door', 10, 'length', 0.7821, 0.1032),
-  ('door', 10, 'rectangularity', 0.6661, 0.09242),
-  ('door', 10, 'spread_length', 0.6745, 0.1336),
-  ('door', 10, 'spread_width', -0.8612, 0.2067),
-  ('door', 10, 'tilt_deg', 83.44, 4.254),
-  ('door', 10, 'width', -0.4146, 0.1661),
-  ('door', 10, 'z_max', 2.029, 0.1252),
-  ('door', 10, 'z_min', 0.007161, 0.04537);
+  ('door', 10, 'aspect', 1.579, 0.1819),
+  ('door', 10, 'behind', 0.1972, 0.369),
+  ('door', 10, 'corner_offset', 0.8898, 0.2614),
+  ('door', 10, 'edge_concave', 0.04841, 0.07362),
+  ('door', 10, 'edge_convex', -0.0003495, 0.03002),
+  ('door', 10, 'edge_free', 0.3082, 0.1621),
+  ('door', 10, 'edge_free_top', 0.2357, 0.4151),
+  ('door', 10, 'edge_unseen', 0.07354, 0.05599),
+  ('door', 10, 'headroom', 0.6548, 0.06197),
+  ('door', 10, 'height', 1.522, 0.3225),
+  ('door', 10, 'lift', -0.02779, 0.3088),
+  ('door', 10, 'rectangularity', 0.6885, 0.04938),
+  ('door', 10, 'spread_length', 0.1491, 0.4998),
+  ('door', 10, 'spread_width', -1.625, 0.4424),
+  ('door', 10, 'standoff', 0.2674, 0.09411),
+  ('door', 10, 'tilt_deg', 83.68, 4.122),
+  ('door', 10, 'wall_offset', 0.5649, 0.6149),
+  ('door', 10, 'width', -1.281, 0.7236),
+  ('door', 10, 'z_max', 2.04, 0.1008),
+  ('door', 10, 'z_min', 0.8707, 0.8096);
 
 -- window: 719 examples
-UPDATE object_class SET prior = 0.02668 WHERE name = 'window';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'area_m2', -0.4097, 0.7573)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.0246 WHERE name = 'window';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'aspect', 0.4487, 0.4055)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'behind', 0.001234, 0.01123)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'corner_offset', 1.43, 0.9169)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_concave', 0.2472, 0.2789)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_convex', 0, 0.005)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_free', 0.08277, 0.1596)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_free_top', 0.07367, 0.195)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_joined', 0.382, 0.3513)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'edge_unseen', 0.1398, 0.1615)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'headroom', 0.2931, 0.3867)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'height', 1.496, 0.204)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'length', 0.1768, 0.2847)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'lift', 0.1436, 0.2399)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'rectangularity', 0.7619, 0.1896)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3015,7 +3637,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'sprea
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'spread_width', -0.3725, 0.5763)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'standoff', 0.001195, 0.01846)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'tilt_deg', 89.75, 0.45)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'wall_offset', 0.3962, 1.448)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'width', -0.2721, 0.4907)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3025,206 +3651,250 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('window', 'z_min
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'window';
 DELETE FROM class_density WHERE class = 'window';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 1, 0.1499, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 1, 0.1815, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 1, 'area_m2', -0.02286, 0.1937),
-  ('window', 1, 'aspect', 0.2451, 0.1648),
-  ('window', 1, 'behind', -0.003203, 0.03),
-  ('window', 1, 'edge_free', 0.01037, 0.04069),
-  ('window', 1, 'edge_free_top', 0.0009559, 0.03),
-  ('window', 1, 'edge_joined', 0.4789, 0.4275),
-  ('window', 1, 'edge_unseen', 0.1655, 0.06286),
-  ('window', 1, 'height', 1.452, 0.1543),
-  ('window', 1, 'length', 0.2218, 0.1228),
-  ('window', 1, 'rectangularity', 0.8756, 0.07625),
-  ('window', 1, 'spread_length', 0.255, 0.1269),
-  ('window', 1, 'spread_width', -0.1362, 0.1959),
-  ('window', 1, 'tilt_deg', 89.46, 0.45),
-  ('window', 1, 'width', -0.1443, 0.09826),
-  ('window', 1, 'z_max', 2.109, 0.167),
-  ('window', 1, 'z_min', 0.9736, 0.06625);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 2, 0.1185, '');
+  ('window', 1, 'aspect', 0.3005, 0.1623),
+  ('window', 1, 'behind', -0.001335, 0.03),
+  ('window', 1, 'corner_offset', 1.528, 1.276),
+  ('window', 1, 'edge_concave', 0.3312, 0.2563),
+  ('window', 1, 'edge_convex', -0.004596, 0.03004),
+  ('window', 1, 'edge_free', -0.0004047, 0.03007),
+  ('window', 1, 'edge_free_top', 0.003685, 0.03414),
+  ('window', 1, 'edge_unseen', 0.1052, 0.1203),
+  ('window', 1, 'headroom', -0.008331, 0.03005),
+  ('window', 1, 'height', 1.482, 0.09026),
+  ('window', 1, 'lift', 0.00404, 0.02517),
+  ('window', 1, 'rectangularity', 0.7177, 0.2528),
+  ('window', 1, 'spread_length', 0.4038, 0.1646),
+  ('window', 1, 'spread_width', 0.1042, 0.2298),
+  ('window', 1, 'standoff', 0.01444, 0.00775),
+  ('window', 1, 'tilt_deg', 89.88, 0.45),
+  ('window', 1, 'wall_offset', -0.1704, 0.05608),
+  ('window', 1, 'width', -0.02067, 0.1401),
+  ('window', 1, 'z_max', 2.144, 0.09928),
+  ('window', 1, 'z_min', 0.9018, 0.05168);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 2, 0.1015, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 2, 'area_m2', -1.087, 0.4606),
-  ('window', 2, 'aspect', 0.5589, 0.4153),
-  ('window', 2, 'behind', -0.007468, 0.03),
-  ('window', 2, 'edge_free', -0.0005399, 0.03),
-  ('window', 2, 'edge_free_top', -0.0006591, 0.03),
-  ('window', 2, 'edge_joined', 0.6608, 0.2736),
-  ('window', 2, 'edge_unseen', 0.2931, 0.2256),
-  ('window', 2, 'height', 1.397, 0.1745),
-  ('window', 2, 'length', -0.02598, 0.2196),
-  ('window', 2, 'rectangularity', 0.7331, 0.1732),
-  ('window', 2, 'spread_length', 0.1046, 0.1657),
-  ('window', 2, 'spread_width', -0.8709, 0.657),
-  ('window', 2, 'tilt_deg', 89.48, 0.45),
-  ('window', 2, 'width', -0.7576, 0.3374),
-  ('window', 2, 'z_max', 1.794, 0.2618),
-  ('window', 2, 'z_min', 0.9834, 0.06296);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 3, 0.1412, '');
+  ('window', 2, 'aspect', 0.4491, 0.4364),
+  ('window', 2, 'behind', -0.004306, 0.03),
+  ('window', 2, 'corner_offset', 1.919, 0.9466),
+  ('window', 2, 'edge_concave', 0.00459, 0.03196),
+  ('window', 2, 'edge_convex', -0.0007894, 0.03001),
+  ('window', 2, 'edge_free', 0.005702, 0.03425),
+  ('window', 2, 'edge_free_top', -0.002717, 0.03002),
+  ('window', 2, 'edge_unseen', 0.1463, 0.07942),
+  ('window', 2, 'headroom', 0.8275, 0.3726),
+  ('window', 2, 'height', 1.448, 0.1539),
+  ('window', 2, 'lift', 0.2043, 0.03934),
+  ('window', 2, 'rectangularity', 0.6949, 0.1704),
+  ('window', 2, 'spread_length', 0.158, 0.5845),
+  ('window', 2, 'spread_width', -0.2533, 0.308),
+  ('window', 2, 'standoff', -0.01431, 0.00775),
+  ('window', 2, 'tilt_deg', 89.64, 0.4511),
+  ('window', 2, 'wall_offset', -0.0937, 0.04),
+  ('window', 2, 'width', -0.2529, 0.6455),
+  ('window', 2, 'z_max', 2.018, 0.429),
+  ('window', 2, 'z_min', 0.9995, 0.05984);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 3, 0.167, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 3, 'area_m2', 0.3471, 0.1766),
-  ('window', 3, 'aspect', 0.1481, 0.09029),
-  ('window', 3, 'behind', -0.0004979, 0.03),
-  ('window', 3, 'edge_free', -0.007102, 0.03),
-  ('window', 3, 'edge_free_top', -0.0009012, 0.03),
-  ('window', 3, 'edge_joined', 0.02541, 0.03813),
-  ('window', 3, 'edge_unseen', 0.0112, 0.03999),
-  ('window', 3, 'height', 1.514, 0.08462),
-  ('window', 3, 'length', 0.3401, 0.09825),
-  ('window', 3, 'rectangularity', 0.883, 0.1008),
-  ('window', 3, 'spread_length', 0.4826, 0.07522),
-  ('window', 3, 'spread_width', 0.2931, 0.1128),
-  ('window', 3, 'tilt_deg', 89.84, 0.45),
-  ('window', 3, 'width', 0.1043, 0.0898),
-  ('window', 3, 'z_max', 2.156, 0.1092),
-  ('window', 3, 'z_min', 0.8924, 0.05231);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 4, 0.1622, '');
+  ('window', 3, 'aspect', 0.5263, 0.2945),
+  ('window', 3, 'behind', -0.006745, 0.03),
+  ('window', 3, 'corner_offset', 1.139, 0.2364),
+  ('window', 3, 'edge_concave', 0.2109, 0.2549),
+  ('window', 3, 'edge_convex', -0.0001741, 0.03),
+  ('window', 3, 'edge_free', 0.1565, 0.112),
+  ('window', 3, 'edge_free_top', 0.01855, 0.03117),
+  ('window', 3, 'edge_unseen', 0.1974, 0.06851),
+  ('window', 3, 'headroom', 0.2912, 0.3949),
+  ('window', 3, 'height', 1.854, 0.1409),
+  ('window', 3, 'lift', 0.7023, 0.3134),
+  ('window', 3, 'rectangularity', 0.8112, 0.08843),
+  ('window', 3, 'spread_length', 0.1545, 0.1414),
+  ('window', 3, 'spread_width', -0.6015, 0.3079),
+  ('window', 3, 'standoff', 0.02065, 0.01025),
+  ('window', 3, 'tilt_deg', 89.83, 0.45),
+  ('window', 3, 'wall_offset', -0.1609, 0.07199),
+  ('window', 3, 'width', -0.454, 0.3264),
+  ('window', 3, 'z_max', 2.165, 0.1479),
+  ('window', 3, 'z_min', 1.524, 0.2108);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 4, 0.1116, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 4, 'area_m2', -0.5623, 0.3961),
-  ('window', 4, 'aspect', 0.2566, 0.1673),
-  ('window', 4, 'behind', -0.0008838, 0.03),
-  ('window', 4, 'edge_free', 0.0826, 0.1247),
-  ('window', 4, 'edge_free_top', 0.09093, 0.1646),
-  ('window', 4, 'edge_joined', 0.1769, 0.1664),
-  ('window', 4, 'edge_unseen', 0.09713, 0.09141),
-  ('window', 4, 'height', 1.521, 0.17),
-  ('window', 4, 'length', 0.2975, 0.1166),
-  ('window', 4, 'rectangularity', 0.4109, 0.0916),
-  ('window', 4, 'spread_length', 0.4514, 0.1449),
-  ('window', 4, 'spread_width', 0.04456, 0.2409),
-  ('window', 4, 'tilt_deg', 89.82, 0.4587),
-  ('window', 4, 'width', 0.01314, 0.1343),
-  ('window', 4, 'z_max', 2.183, 0.1315),
-  ('window', 4, 'z_min', 0.8996, 0.04963);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 5, 0.1365, '');
+  ('window', 4, 'aspect', 0.4065, 0.2475),
+  ('window', 4, 'behind', -0.002378, 0.03),
+  ('window', 4, 'corner_offset', 0.9969, 0.2389),
+  ('window', 4, 'edge_concave', 0.2808, 0.2927),
+  ('window', 4, 'edge_convex', -0.001279, 0.03),
+  ('window', 4, 'edge_free', 0.007235, 0.03),
+  ('window', 4, 'edge_free_top', 0.002975, 0.03),
+  ('window', 4, 'edge_unseen', 0.2776, 0.1491),
+  ('window', 4, 'headroom', 0.2196, 0.2049),
+  ('window', 4, 'height', 1.363, 0.1136),
+  ('window', 4, 'lift', 0.02846, 0.04543),
+  ('window', 4, 'rectangularity', 0.7611, 0.08811),
+  ('window', 4, 'spread_length', 0.1593, 0.05922),
+  ('window', 4, 'spread_width', -0.7133, 0.7238),
+  ('window', 4, 'standoff', 0.01349, 0.00775),
+  ('window', 4, 'tilt_deg', 89.64, 0.45),
+  ('window', 4, 'wall_offset', 4.181, 0.8576),
+  ('window', 4, 'width', -0.6175, 0.2417),
+  ('window', 4, 'z_max', 1.934, 0.2025),
+  ('window', 4, 'z_min', 0.9518, 0.05405);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 5, 0.07213, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 5, 'area_m2', -0.515, 0.4871),
-  ('window', 5, 'aspect', 0.5956, 0.2886),
-  ('window', 5, 'behind', -0.00562, 0.03),
-  ('window', 5, 'edge_free', 0.1733, 0.1156),
-  ('window', 5, 'edge_free_top', 0.01111, 0.03096),
-  ('window', 5, 'edge_joined', 0.4034, 0.2705),
-  ('window', 5, 'edge_unseen', 0.1896, 0.1186),
-  ('window', 5, 'height', 1.849, 0.1175),
-  ('window', 5, 'length', 0.1256, 0.2445),
-  ('window', 5, 'rectangularity', 0.8027, 0.06998),
-  ('window', 5, 'spread_length', 0.1298, 0.265),
-  ('window', 5, 'spread_width', -0.66, 0.3271),
-  ('window', 5, 'tilt_deg', 89.72, 0.6584),
-  ('window', 5, 'width', -0.5163, 0.3103),
-  ('window', 5, 'z_max', 2.156, 0.1281),
-  ('window', 5, 'z_min', 1.58, 0.1741);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 6, 0.0878, '');
+  ('window', 5, 'aspect', 0.1494, 0.09038),
+  ('window', 5, 'behind', -0.002207, 0.03),
+  ('window', 5, 'corner_offset', 1.113, 0.1367),
+  ('window', 5, 'edge_concave', 0.07834, 0.1183),
+  ('window', 5, 'edge_convex', -0.0006337, 0.03001),
+  ('window', 5, 'edge_free', 0.01729, 0.04795),
+  ('window', 5, 'edge_free_top', 0.004146, 0.03001),
+  ('window', 5, 'edge_unseen', 0.01911, 0.05239),
+  ('window', 5, 'headroom', 0.6259, 0.2364),
+  ('window', 5, 'height', 1.513, 0.1154),
+  ('window', 5, 'lift', 0.1553, 0.06717),
+  ('window', 5, 'rectangularity', 0.9183, 0.06962),
+  ('window', 5, 'spread_length', 0.3721, 0.2699),
+  ('window', 5, 'spread_width', 0.1209, 0.2186),
+  ('window', 5, 'standoff', -0.00586, 0.02072),
+  ('window', 5, 'tilt_deg', 89.69, 0.45),
+  ('window', 5, 'wall_offset', -0.09927, 0.04),
+  ('window', 5, 'width', 0.07039, 0.1307),
+  ('window', 5, 'z_max', 2.17, 0.1448),
+  ('window', 5, 'z_min', 0.9083, 0.08804);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 6, 0.09999, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 6, 'area_m2', -0.3721, 0.3975),
-  ('window', 6, 'aspect', 0.3431, 0.2397),
-  ('window', 6, 'behind', -0.006722, 0.03),
-  ('window', 6, 'edge_free', 0.4134, 0.2731),
-  ('window', 6, 'edge_free_top', 0.432, 0.3501),
-  ('window', 6, 'edge_joined', 0.4814, 0.2505),
-  ('window', 6, 'edge_unseen', 0.08798, 0.117),
-  ('window', 6, 'height', 1.476, 0.08805),
-  ('window', 6, 'length', 0.1021, 0.1811),
-  ('window', 6, 'rectangularity', 0.8092, 0.05985),
-  ('window', 6, 'spread_length', 0.0506, 0.1729),
-  ('window', 6, 'spread_width', -0.4041, 0.2507),
-  ('window', 6, 'tilt_deg', 89.8, 0.45),
-  ('window', 6, 'width', -0.2994, 0.2532),
-  ('window', 6, 'z_max', 2.054, 0.1482),
-  ('window', 6, 'z_min', 1.044, 0.06049);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 7, 0.03415, '');
+  ('window', 6, 'aspect', 0.3505, 0.2299),
+  ('window', 6, 'behind', -0.005224, 0.03),
+  ('window', 6, 'corner_offset', 1.507, 0.8559),
+  ('window', 6, 'edge_concave', 0.0341, 0.06977),
+  ('window', 6, 'edge_convex', -0.0006378, 0.03),
+  ('window', 6, 'edge_free', 0.3225, 0.1854),
+  ('window', 6, 'edge_free_top', 0.4191, 0.3535),
+  ('window', 6, 'edge_unseen', 0.08878, 0.1232),
+  ('window', 6, 'headroom', 0.2461, 0.2123),
+  ('window', 6, 'height', 1.462, 0.1277),
+  ('window', 6, 'lift', 0.1716, 0.1091),
+  ('window', 6, 'rectangularity', 0.8141, 0.06084),
+  ('window', 6, 'spread_length', 0.1043, 0.2027),
+  ('window', 6, 'spread_width', -0.4205, 0.3447),
+  ('window', 6, 'standoff', -0.01121, 0.007752),
+  ('window', 6, 'tilt_deg', 89.77, 0.45),
+  ('window', 6, 'wall_offset', -0.1567, 0.05705),
+  ('window', 6, 'width', -0.3195, 0.377),
+  ('window', 6, 'z_max', 2.064, 0.1384),
+  ('window', 6, 'z_min', 1.017, 0.08279);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 7, 0.03168, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 7, 'area_m2', -2.079, 0.9896),
-  ('window', 7, 'aspect', 1.106, 0.4198),
-  ('window', 7, 'behind', 0.1015, 0.3284),
-  ('window', 7, 'edge_free', 0.08937, 0.1505),
-  ('window', 7, 'edge_free_top', 0.1595, 0.2592),
-  ('window', 7, 'edge_joined', 0.5998, 0.2673),
-  ('window', 7, 'edge_unseen', 0.1928, 0.1616),
-  ('window', 7, 'height', 1.506, 0.2124),
-  ('window', 7, 'length', -0.335, 0.6107),
-  ('window', 7, 'rectangularity', 0.6861, 0.08281),
-  ('window', 7, 'spread_length', -0.427, 0.7462),
-  ('window', 7, 'spread_width', -1.638, 0.5732),
-  ('window', 7, 'tilt_deg', 89.28, 1.003),
-  ('window', 7, 'width', -1.398, 0.2335),
-  ('window', 7, 'z_max', 1.951, 0.3144),
-  ('window', 7, 'z_min', 1.143, 0.3326);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 8, 0.04176, '');
+  ('window', 7, 'aspect', 0.7722, 0.2146),
+  ('window', 7, 'behind', -0.003481, 0.03),
+  ('window', 7, 'corner_offset', 1.36, 0.4508),
+  ('window', 7, 'edge_concave', 0.1944, 0.2436),
+  ('window', 7, 'edge_convex', -2.39e-05, 0.03004),
+  ('window', 7, 'edge_free', 0.08527, 0.04068),
+  ('window', 7, 'edge_free_top', 0.00705, 0.03127),
+  ('window', 7, 'edge_unseen', 0.3343, 0.1173),
+  ('window', 7, 'headroom', 0.3273, 0.4016),
+  ('window', 7, 'height', 1.707, 0.05432),
+  ('window', 7, 'lift', 0.6822, 0.2311),
+  ('window', 7, 'rectangularity', 0.6539, 0.06277),
+  ('window', 7, 'spread_length', -0.3165, 0.5588),
+  ('window', 7, 'spread_width', -1.362, 0.5661),
+  ('window', 7, 'standoff', 0.01134, 0.01247),
+  ('window', 7, 'tilt_deg', 89.64, 0.5759),
+  ('window', 7, 'wall_offset', 1.515, 2.669),
+  ('window', 7, 'width', -1.063, 0.3038),
+  ('window', 7, 'z_max', 2.074, 0.1516),
+  ('window', 7, 'z_min', 1.429, 0.181);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 8, 0.02716, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 8, 'area_m2', -0.6918, 0.4512),
-  ('window', 8, 'aspect', 0.8537, 0.3055),
-  ('window', 8, 'behind', -0.001362, 0.03),
-  ('window', 8, 'edge_free', 0.0862, 0.08912),
-  ('window', 8, 'edge_free_top', 0.2763, 0.2579),
-  ('window', 8, 'edge_joined', 0.258, 0.1555),
-  ('window', 8, 'edge_unseen', 0.09198, 0.1134),
-  ('window', 8, 'height', 1.136, 0.07051),
-  ('window', 8, 'length', 0.2265, 0.2599),
-  ('window', 8, 'rectangularity', 0.7853, 0.2182),
-  ('window', 8, 'spread_length', 0.2877, 0.23),
-  ('window', 8, 'spread_width', -0.6664, 0.2066),
-  ('window', 8, 'tilt_deg', 89.24, 0.5261),
-  ('window', 8, 'width', -0.6336, 0.1814),
-  ('window', 8, 'z_max', 1.477, 0.09782),
-  ('window', 8, 'z_min', 0.9202, 0.04951);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 9, 0.02464, '');
+  ('window', 8, 'aspect', 0.4622, 0.2582),
+  ('window', 8, 'behind', 0.01608, 0.06833),
+  ('window', 8, 'corner_offset', 1.467, 1.26),
+  ('window', 8, 'edge_concave', 0.3323, 0.2556),
+  ('window', 8, 'edge_convex', -0.000529, 0.03),
+  ('window', 8, 'edge_free', 0.3125, 0.1149),
+  ('window', 8, 'edge_free_top', 0.3079, 0.1318),
+  ('window', 8, 'edge_unseen', 0.08074, 0.09088),
+  ('window', 8, 'headroom', 0.1755, 0.2333),
+  ('window', 8, 'height', 1.427, 0.1679),
+  ('window', 8, 'lift', 0.01912, 0.04058),
+  ('window', 8, 'rectangularity', 0.4872, 0.1148),
+  ('window', 8, 'spread_length', 0.5695, 0.2095),
+  ('window', 8, 'spread_width', -0.1035, 0.2574),
+  ('window', 8, 'standoff', 0.01359, 0.00775),
+  ('window', 8, 'tilt_deg', 89.37, 1.706),
+  ('window', 8, 'wall_offset', 0.4359, 1.646),
+  ('window', 8, 'width', -0.02831, 0.2237),
+  ('window', 8, 'z_max', 2.257, 0.1537),
+  ('window', 8, 'z_min', 0.902, 0.1444);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 9, 0.1063, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 9, 'area_m2', 1.024, 0.481),
-  ('window', 9, 'aspect', 0.6695, 0.2707),
-  ('window', 9, 'behind', -0.0006426, 0.03),
-  ('window', 9, 'edge_free', 0.002479, 0.03),
-  ('window', 9, 'edge_free_top', 0.005845, 0.03),
-  ('window', 9, 'edge_joined', 0.3078, 0.2775),
-  ('window', 9, 'edge_unseen', 0.1709, 0.102),
-  ('window', 9, 'height', 1.468, 0.07547),
-  ('window', 9, 'length', 1.009, 0.3573),
-  ('window', 9, 'rectangularity', 0.6908, 0.1735),
-  ('window', 9, 'spread_length', 1.089, 0.1734),
-  ('window', 9, 'spread_width', 0.1552, 0.1751),
-  ('window', 9, 'tilt_deg', 89.83, 0.45),
-  ('window', 9, 'width', 0.4133, 0.3271),
-  ('window', 9, 'z_max', 2.332, 0.2804),
-  ('window', 9, 'z_min', 0.7473, 0.2717);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 10, 0.05329, '');
+  ('window', 9, 'aspect', 1.138, 0.4851),
+  ('window', 9, 'behind', -0.002983, 0.03),
+  ('window', 9, 'corner_offset', 1.327, 0.6621),
+  ('window', 9, 'edge_concave', 0.3267, 0.2945),
+  ('window', 9, 'edge_convex', -0.0003566, 0.03007),
+  ('window', 9, 'edge_free', 0.02863, 0.0564),
+  ('window', 9, 'edge_free_top', 0.1275, 0.2185),
+  ('window', 9, 'edge_unseen', 0.06735, 0.09649),
+  ('window', 9, 'headroom', 0.7283, 0.2252),
+  ('window', 9, 'height', 1.16, 0.1737),
+  ('window', 9, 'lift', 0.02535, 0.03337),
+  ('window', 9, 'rectangularity', 0.769, 0.1791),
+  ('window', 9, 'spread_length', 0.2026, 0.1774),
+  ('window', 9, 'spread_width', -1.179, 0.5424),
+  ('window', 9, 'standoff', -0.01082, 0.01222),
+  ('window', 9, 'tilt_deg', 89.13, 0.8329),
+  ('window', 9, 'wall_offset', -0.1887, 0.06088),
+  ('window', 9, 'width', -1.045, 0.3597),
+  ('window', 9, 'z_max', 1.517, 0.3379),
+  ('window', 9, 'z_min', 0.914, 0.03898);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('window', 10, 0.05109, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('window', 10, 'area_m2', -1.425, 0.3342),
-  ('window', 10, 'aspect', 1.426, 0.3123),
-  ('window', 10, 'behind', -0.0003234, 0.03),
-  ('window', 10, 'edge_free', 0.04942, 0.08902),
-  ('window', 10, 'edge_free_top', 0.09919, 0.174),
-  ('window', 10, 'edge_joined', 0.3718, 0.104),
-  ('window', 10, 'edge_unseen', 0.04184, 0.05216),
-  ('window', 10, 'height', 1.032, 0.0578),
-  ('window', 10, 'length', 0.1375, 0.1439),
-  ('window', 10, 'rectangularity', 0.7556, 0.1347),
-  ('window', 10, 'spread_length', 0.1831, 0.1081),
-  ('window', 10, 'spread_width', -1.445, 0.3201),
-  ('window', 10, 'tilt_deg', 88.56, 1.017),
-  ('window', 10, 'width', -1.299, 0.255),
-  ('window', 10, 'z_max', 1.229, 0.08813),
-  ('window', 10, 'z_min', 0.9242, 0.04311);
+  ('window', 10, 'aspect', 1.375, 0.4513),
+  ('window', 10, 'behind', 0.6121, 0.164),
+  ('window', 10, 'corner_offset', 0.7307, 0.178),
+  ('window', 10, 'edge_concave', 0.9333, 0.08346),
+  ('window', 10, 'edge_convex', -1.265e-05, 0.03),
+  ('window', 10, 'edge_free', 0.1082, 0.1119),
+  ('window', 10, 'edge_free_top', 0.1289, 0.1616),
+  ('window', 10, 'edge_unseen', 0.08707, 0.08995),
+  ('window', 10, 'headroom', 0.5105, 0.1028),
+  ('window', 10, 'height', 1.392, 0.1015),
+  ('window', 10, 'lift', -0.05027, 0.04048),
+  ('window', 10, 'rectangularity', 0.7432, 0.04501),
+  ('window', 10, 'spread_length', -0.2394, 0.6042),
+  ('window', 10, 'spread_width', -1.489, 0.2113),
+  ('window', 10, 'standoff', 0.1736, 0.0668),
+  ('window', 10, 'tilt_deg', 89.78, 0.45),
+  ('window', 10, 'wall_offset', 0.9908, 0.5887),
+  ('window', 10, 'width', -1.396, 0.1432),
+  ('window', 10, 'z_max', 1.964, 0.3717),
+  ('window', 10, 'z_min', 0.8734, 0.1419);
 
 -- whiteboard: 253 examples
-UPDATE object_class SET prior = 0.01072 WHERE name = 'whiteboard';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'area_m2', 0.0436, 0.8756)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.01115 WHERE name = 'whiteboard';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'aspect', 0.4456, 0.3054)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'behind', 0.009392, 0.05882)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'corner_offset', 1.654, 0.9642)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_concave', 0.05859, 0.1106)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_convex', 0, 0.005)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_free', 0.02812, 0.05368)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_free_top', 0.03806, 0.081)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_joined', 0.7741, 0.1974)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'edge_unseen', 0.1536, 0.1856)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'headroom', 0.7564, 0.2966)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'height', 1.4, 0.1537)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'length', 0.3491, 0.4304)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'lift', 0.1382, 0.09253)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'rectangularity', 0.8216, 0.09934)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3232,7 +3902,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 's
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'spread_width', -0.3231, 0.4723)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'standoff', 0.04177, 0.1591)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'tilt_deg', 89.79, 0.581)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'wall_offset', 0.3714, 1.178)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'width', -0.1032, 0.4777)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3242,188 +3916,228 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('whiteboard', 'z
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'whiteboard';
 DELETE FROM class_density WHERE class = 'whiteboard';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 1, 0.2255, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 1, 0.1637, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 1, 'area_m2', 0.2333, 0.1726),
-  ('whiteboard', 1, 'aspect', 0.1843, 0.08176),
-  ('whiteboard', 1, 'behind', 0.06399, 0.1623),
-  ('whiteboard', 1, 'edge_free', 0.02229, 0.03),
-  ('whiteboard', 1, 'edge_free_top', 0.02218, 0.03103),
-  ('whiteboard', 1, 'edge_joined', 0.8277, 0.1031),
-  ('whiteboard', 1, 'edge_unseen', 0.0006511, 0.03),
-  ('whiteboard', 1, 'height', 1.495, 0.05784),
-  ('whiteboard', 1, 'length', 0.2588, 0.114),
-  ('whiteboard', 1, 'rectangularity', 0.8846, 0.04171),
-  ('whiteboard', 1, 'spread_length', 0.1619, 0.09732),
-  ('whiteboard', 1, 'spread_width', -0.03147, 0.07996),
-  ('whiteboard', 1, 'tilt_deg', 90.09, 0.45),
-  ('whiteboard', 1, 'width', 0.1109, 0.0605),
-  ('whiteboard', 1, 'z_max', 2.03, 0.08971),
-  ('whiteboard', 1, 'z_min', 0.9096, 0.04692);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 2, 0.1395, '');
+  ('whiteboard', 1, 'aspect', 0.4748, 0.3336),
+  ('whiteboard', 1, 'behind', 0.001089, 0.03001),
+  ('whiteboard', 1, 'corner_offset', 1.414, 0.6096),
+  ('whiteboard', 1, 'edge_concave', 0.02046, 0.05149),
+  ('whiteboard', 1, 'edge_convex', 8.626e-05, 0.03013),
+  ('whiteboard', 1, 'edge_free', 0.01281, 0.03),
+  ('whiteboard', 1, 'edge_free_top', 0.02676, 0.04074),
+  ('whiteboard', 1, 'edge_unseen', -0.001337, 0.03),
+  ('whiteboard', 1, 'headroom', 0.7314, 0.1933),
+  ('whiteboard', 1, 'height', 1.482, 0.0603),
+  ('whiteboard', 1, 'lift', 0.1792, 0.06292),
+  ('whiteboard', 1, 'rectangularity', 0.883, 0.03771),
+  ('whiteboard', 1, 'spread_length', 0.3347, 0.2185),
+  ('whiteboard', 1, 'spread_width', -0.000466, 0.06845),
+  ('whiteboard', 1, 'standoff', 0.02374, 0.009137),
+  ('whiteboard', 1, 'tilt_deg', 90.16, 0.45),
+  ('whiteboard', 1, 'wall_offset', 0.06767, 0.04),
+  ('whiteboard', 1, 'width', 0.1311, 0.05477),
+  ('whiteboard', 1, 'z_max', 1.992, 0.1053),
+  ('whiteboard', 1, 'z_min', 0.9181, 0.04328);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 2, 0.225, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 2, 'area_m2', 0.4244, 0.1212),
-  ('whiteboard', 2, 'aspect', 0.4546, 0.1274),
-  ('whiteboard', 2, 'behind', -0.0002275, 0.03),
-  ('whiteboard', 2, 'edge_free', 0.02722, 0.03),
-  ('whiteboard', 2, 'edge_free_top', 0.03346, 0.04056),
-  ('whiteboard', 2, 'edge_joined', 0.8052, 0.119),
-  ('whiteboard', 2, 'edge_unseen', 0.1629, 0.1576),
-  ('whiteboard', 2, 'height', 1.421, 0.07218),
-  ('whiteboard', 2, 'length', 0.4966, 0.1185),
-  ('whiteboard', 2, 'rectangularity', 0.8192, 0.08339),
-  ('whiteboard', 2, 'spread_length', 0.3735, 0.08656),
-  ('whiteboard', 2, 'spread_width', -0.1848, 0.1273),
-  ('whiteboard', 2, 'tilt_deg', 90.07, 0.45),
-  ('whiteboard', 2, 'width', 0.1314, 0.08704),
-  ('whiteboard', 2, 'z_max', 1.997, 0.1097),
-  ('whiteboard', 2, 'z_min', 0.8872, 0.06911);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 3, 0.186, '');
+  ('whiteboard', 2, 'aspect', 0.6466, 0.1343),
+  ('whiteboard', 2, 'behind', -0.001168, 0.03),
+  ('whiteboard', 2, 'corner_offset', 1.76, 0.5696),
+  ('whiteboard', 2, 'edge_concave', 0.05876, 0.1053),
+  ('whiteboard', 2, 'edge_convex', -0.0001111, 0.03513),
+  ('whiteboard', 2, 'edge_free', 0.02791, 0.03001),
+  ('whiteboard', 2, 'edge_free_top', 0.02574, 0.0319),
+  ('whiteboard', 2, 'edge_unseen', 0.2006, 0.06612),
+  ('whiteboard', 2, 'headroom', 0.961, 0.4037),
+  ('whiteboard', 2, 'height', 1.4, 0.06118),
+  ('whiteboard', 2, 'lift', 0.1605, 0.08718),
+  ('whiteboard', 2, 'rectangularity', 0.7612, 0.08981),
+  ('whiteboard', 2, 'spread_length', 0.5303, 0.09752),
+  ('whiteboard', 2, 'spread_width', -0.2638, 0.1449),
+  ('whiteboard', 2, 'standoff', 0.02397, 0.01265),
+  ('whiteboard', 2, 'tilt_deg', 90.02, 0.45),
+  ('whiteboard', 2, 'wall_offset', 0.05624, 0.04),
+  ('whiteboard', 2, 'width', 0.1628, 0.1001),
+  ('whiteboard', 2, 'z_max', 2.049, 0.1096),
+  ('whiteboard', 2, 'z_min', 0.9157, 0.08621);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 3, 0.1463, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 3, 'area_m2', 0.7523, 0.1235),
-  ('whiteboard', 3, 'aspect', 0.6257, 0.1451),
-  ('whiteboard', 3, 'behind', -0.0001056, 0.03),
-  ('whiteboard', 3, 'edge_free', 0.03023, 0.03),
-  ('whiteboard', 3, 'edge_free_top', 0.02941, 0.03602),
-  ('whiteboard', 3, 'edge_joined', 0.877, 0.07876),
-  ('whiteboard', 3, 'edge_unseen', 0.04496, 0.07965),
-  ('whiteboard', 3, 'height', 1.439, 0.05951),
-  ('whiteboard', 3, 'length', 0.7391, 0.1097),
-  ('whiteboard', 3, 'rectangularity', 0.8782, 0.07003),
-  ('whiteboard', 3, 'spread_length', 0.5872, 0.09412),
-  ('whiteboard', 3, 'spread_width', -0.09553, 0.09974),
-  ('whiteboard', 3, 'tilt_deg', 90.02, 0.45),
-  ('whiteboard', 3, 'width', 0.1448, 0.0795),
-  ('whiteboard', 3, 'z_max', 2.03, 0.09286),
-  ('whiteboard', 3, 'z_min', 0.8928, 0.07006);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 4, 0.108, '');
+  ('whiteboard', 3, 'aspect', 0.1472, 0.202),
+  ('whiteboard', 3, 'behind', -0.001657, 0.03004),
+  ('whiteboard', 3, 'corner_offset', 1.542, 1.355),
+  ('whiteboard', 3, 'edge_concave', 0.1633, 0.2666),
+  ('whiteboard', 3, 'edge_convex', -0.0001294, 0.03),
+  ('whiteboard', 3, 'edge_free', 0.02332, 0.0366),
+  ('whiteboard', 3, 'edge_free_top', 0.04094, 0.06302),
+  ('whiteboard', 3, 'edge_unseen', 0.1991, 0.1615),
+  ('whiteboard', 3, 'headroom', 0.7468, 0.1922),
+  ('whiteboard', 3, 'height', 1.33, 0.07312),
+  ('whiteboard', 3, 'lift', 0.07256, 0.08016),
+  ('whiteboard', 3, 'rectangularity', 0.81, 0.08161),
+  ('whiteboard', 3, 'spread_length', -0.04705, 0.1947),
+  ('whiteboard', 3, 'spread_width', -0.3191, 0.2077),
+  ('whiteboard', 3, 'standoff', 0.03016, 0.01249),
+  ('whiteboard', 3, 'tilt_deg', 89.98, 0.4504),
+  ('whiteboard', 3, 'wall_offset', 0.06214, 0.04),
+  ('whiteboard', 3, 'width', 0.1232, 0.06778),
+  ('whiteboard', 3, 'z_max', 1.961, 0.08944),
+  ('whiteboard', 3, 'z_min', 0.8467, 0.04435);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 4, 0.06116, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 4, 'area_m2', -0.2873, 0.3229),
-  ('whiteboard', 4, 'aspect', 0.353, 0.3233),
-  ('whiteboard', 4, 'behind', -0.00358, 0.03),
-  ('whiteboard', 4, 'edge_free', 0.02864, 0.04019),
-  ('whiteboard', 4, 'edge_free_top', 0.02482, 0.04196),
-  ('whiteboard', 4, 'edge_joined', 0.7775, 0.1665),
-  ('whiteboard', 4, 'edge_unseen', 0.29, 0.1917),
-  ('whiteboard', 4, 'height', 1.373, 0.09329),
-  ('whiteboard', 4, 'length', 0.144, 0.09359),
-  ('whiteboard', 4, 'rectangularity', 0.7869, 0.05681),
-  ('whiteboard', 4, 'spread_length', -0.08629, 0.1231),
-  ('whiteboard', 4, 'spread_width', -0.5142, 0.1655),
-  ('whiteboard', 4, 'tilt_deg', 90.05, 0.45),
-  ('whiteboard', 4, 'width', -0.1753, 0.32),
-  ('whiteboard', 4, 'z_max', 2.014, 0.09359),
-  ('whiteboard', 4, 'z_min', 0.8721, 0.04434);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 5, 0.09625, '');
+  ('whiteboard', 4, 'aspect', 0.7807, 0.1223),
+  ('whiteboard', 4, 'behind', -0.003483, 0.03004),
+  ('whiteboard', 4, 'corner_offset', 1.251, 1.087),
+  ('whiteboard', 4, 'edge_concave', 0.1633, 0.05085),
+  ('whiteboard', 4, 'edge_convex', -0.000115, 0.04093),
+  ('whiteboard', 4, 'edge_free', 0.0197, 0.03413),
+  ('whiteboard', 4, 'edge_free_top', 0.04482, 0.03653),
+  ('whiteboard', 4, 'edge_unseen', 0.262, 0.06348),
+  ('whiteboard', 4, 'headroom', 0.5601, 0.07328),
+  ('whiteboard', 4, 'height', 1.573, 0.2366),
+  ('whiteboard', 4, 'lift', 0.04453, 0.06637),
+  ('whiteboard', 4, 'rectangularity', 0.7575, 0.1022),
+  ('whiteboard', 4, 'spread_length', -0.3729, 0.3766),
+  ('whiteboard', 4, 'spread_width', -1.072, 0.3661),
+  ('whiteboard', 4, 'standoff', 0.01744, 0.02858),
+  ('whiteboard', 4, 'tilt_deg', 89.75, 0.4505),
+  ('whiteboard', 4, 'wall_offset', 3.335, 3.157),
+  ('whiteboard', 4, 'width', -0.8616, 0.5276),
+  ('whiteboard', 4, 'z_max', 1.995, 0.1341),
+  ('whiteboard', 4, 'z_min', 0.9507, 0.1117);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 5, 0.04653, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 5, 'area_m2', 0.7327, 0.2768),
-  ('whiteboard', 5, 'aspect', 0.6221, 0.203),
-  ('whiteboard', 5, 'behind', 0.0001362, 0.03),
-  ('whiteboard', 5, 'edge_free', 0.02369, 0.03),
-  ('whiteboard', 5, 'edge_free_top', 0.0304, 0.03),
-  ('whiteboard', 5, 'edge_joined', 0.6212, 0.1208),
-  ('whiteboard', 5, 'edge_unseen', 0.1814, 0.1882),
-  ('whiteboard', 5, 'height', 1.437, 0.09297),
-  ('whiteboard', 5, 'length', 0.8455, 0.1704),
-  ('whiteboard', 5, 'rectangularity', 0.6751, 0.07706),
-  ('whiteboard', 5, 'spread_length', 0.6928, 0.1623),
-  ('whiteboard', 5, 'spread_width', -0.132, 0.29),
-  ('whiteboard', 5, 'tilt_deg', 89.88, 0.45),
-  ('whiteboard', 5, 'width', 0.2959, 0.1471),
-  ('whiteboard', 5, 'z_max', 2.077, 0.0928),
-  ('whiteboard', 5, 'z_min', 0.6957, 0.2831);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 6, 0.053, '');
+  ('whiteboard', 5, 'aspect', 0.3712, 0.08216),
+  ('whiteboard', 5, 'behind', -0.002518, 0.03009),
+  ('whiteboard', 5, 'corner_offset', 1.333, 0.8445),
+  ('whiteboard', 5, 'edge_concave', 0.003019, 0.03004),
+  ('whiteboard', 5, 'edge_convex', 4.137e-05, 0.03011),
+  ('whiteboard', 5, 'edge_free', 0.0886, 0.1716),
+  ('whiteboard', 5, 'edge_free_top', 0.1513, 0.2274),
+  ('whiteboard', 5, 'edge_unseen', 0.3407, 0.2261),
+  ('whiteboard', 5, 'headroom', 0.8265, 0.1186),
+  ('whiteboard', 5, 'height', 1.396, 0.04635),
+  ('whiteboard', 5, 'lift', 0.1457, 0.05964),
+  ('whiteboard', 5, 'rectangularity', 0.7323, 0.03395),
+  ('whiteboard', 5, 'spread_length', 0.1075, 0.3143),
+  ('whiteboard', 5, 'spread_width', -0.3556, 0.1159),
+  ('whiteboard', 5, 'standoff', 0.04312, 0.04429),
+  ('whiteboard', 5, 'tilt_deg', 89.98, 0.4515),
+  ('whiteboard', 5, 'wall_offset', 2.341, 2.14),
+  ('whiteboard', 5, 'width', -0.03591, 0.2032),
+  ('whiteboard', 5, 'z_max', 2.079, 0.08182),
+  ('whiteboard', 5, 'z_min', 0.9056, 0.0459);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 6, 0.1254, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 6, 'area_m2', -2.031, 0.7682),
-  ('whiteboard', 6, 'aspect', 0.6585, 0.3203),
-  ('whiteboard', 6, 'behind', -0.003731, 0.03),
-  ('whiteboard', 6, 'edge_free', 0.01374, 0.04777),
-  ('whiteboard', 6, 'edge_free_top', 0.00416, 0.03124),
-  ('whiteboard', 6, 'edge_joined', 0.8327, 0.2382),
-  ('whiteboard', 6, 'edge_unseen', 0.3861, 0.1523),
-  ('whiteboard', 6, 'height', 1.249, 0.1664),
-  ('whiteboard', 6, 'length', -0.4921, 0.4475),
-  ('whiteboard', 6, 'rectangularity', 0.7531, 0.05952),
-  ('whiteboard', 6, 'spread_length', -0.8405, 0.4321),
-  ('whiteboard', 6, 'spread_width', -1.425, 0.3479),
-  ('whiteboard', 6, 'tilt_deg', 89.61, 0.45),
-  ('whiteboard', 6, 'width', -1.26, 0.4267),
-  ('whiteboard', 6, 'z_max', 1.61, 0.4002),
-  ('whiteboard', 6, 'z_min', 0.9279, 0.07033);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 7, 0.09684, '');
+  ('whiteboard', 6, 'aspect', 0.8148, 0.5142),
+  ('whiteboard', 6, 'behind', 0.002336, 0.03002),
+  ('whiteboard', 6, 'corner_offset', 1.649, 0.109),
+  ('whiteboard', 6, 'edge_concave', 0.05243, 0.106),
+  ('whiteboard', 6, 'edge_convex', -8.057e-05, 0.03),
+  ('whiteboard', 6, 'edge_free', 0.04258, 0.06843),
+  ('whiteboard', 6, 'edge_free_top', 0.302, 0.1662),
+  ('whiteboard', 6, 'edge_unseen', 0.4015, 0.06257),
+  ('whiteboard', 6, 'headroom', 0.4632, 0.1382),
+  ('whiteboard', 6, 'height', 0.9771, 0.2337),
+  ('whiteboard', 6, 'lift', 0.2434, 0.4027),
+  ('whiteboard', 6, 'rectangularity', 0.8073, 0.09345),
+  ('whiteboard', 6, 'spread_length', 0.2785, 0.2694),
+  ('whiteboard', 6, 'spread_width', -0.6615, 0.3463),
+  ('whiteboard', 6, 'standoff', 0.06618, 0.03215),
+  ('whiteboard', 6, 'tilt_deg', 87.09, 0.9236),
+  ('whiteboard', 6, 'wall_offset', 0.13, 0.3911),
+  ('whiteboard', 6, 'width', -0.4912, 0.3381),
+  ('whiteboard', 6, 'z_max', 1.233, 0.2085),
+  ('whiteboard', 6, 'z_min', 0.648, 0.4788);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 7, 0.05828, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 7, 'area_m2', -0.3442, 0.4108),
-  ('whiteboard', 7, 'aspect', 0.8109, 0.4814),
-  ('whiteboard', 7, 'behind', -0.000857, 0.03),
-  ('whiteboard', 7, 'edge_free', 0.01188, 0.03),
-  ('whiteboard', 7, 'edge_free_top', 0.06871, 0.03),
-  ('whiteboard', 7, 'edge_joined', 0.5675, 0.165),
-  ('whiteboard', 7, 'edge_unseen', 0.4096, 0.06811),
-  ('whiteboard', 7, 'height', 1.033, 0.2375),
-  ('whiteboard', 7, 'length', 0.2995, 0.3033),
-  ('whiteboard', 7, 'rectangularity', 0.808, 0.07961),
-  ('whiteboard', 7, 'spread_length', 0.244, 0.2617),
-  ('whiteboard', 7, 'spread_width', -0.615, 0.3144),
-  ('whiteboard', 7, 'tilt_deg', 87.97, 0.5378),
-  ('whiteboard', 7, 'width', -0.4406, 0.313),
-  ('whiteboard', 7, 'z_max', 1.336, 0.2527),
-  ('whiteboard', 7, 'z_min', 0.5878, 0.3414);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 8, 0.02704, '');
+  ('whiteboard', 7, 'aspect', 0.5141, 0.1512),
+  ('whiteboard', 7, 'behind', -0.005137, 0.03),
+  ('whiteboard', 7, 'corner_offset', 1.803, 1.887),
+  ('whiteboard', 7, 'edge_concave', 0.06275, 0.1941),
+  ('whiteboard', 7, 'edge_convex', 6.351e-05, 0.05299),
+  ('whiteboard', 7, 'edge_free', -0.03458, 0.03),
+  ('whiteboard', 7, 'edge_free_top', -0.01176, 0.03),
+  ('whiteboard', 7, 'edge_unseen', 0.3751, 0.09123),
+  ('whiteboard', 7, 'headroom', 1.46, 0.3451),
+  ('whiteboard', 7, 'height', 1.197, 0.1612),
+  ('whiteboard', 7, 'lift', 0.1389, 0.025),
+  ('whiteboard', 7, 'rectangularity', 0.7474, 0.06424),
+  ('whiteboard', 7, 'spread_length', -0.8507, 0.4303),
+  ('whiteboard', 7, 'spread_width', -1.395, 0.3857),
+  ('whiteboard', 7, 'standoff', 0.01194, 0.07),
+  ('whiteboard', 7, 'tilt_deg', 89.7, 0.45),
+  ('whiteboard', 7, 'wall_offset', 0.03008, 0.04),
+  ('whiteboard', 7, 'width', -1.288, 0.427),
+  ('whiteboard', 7, 'z_max', 1.541, 0.3625),
+  ('whiteboard', 7, 'z_min', 0.8991, 0.05946);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 8, 0.09374, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 8, 'area_m2', 0.1093, 0.399),
-  ('whiteboard', 8, 'aspect', 0.3652, 0.1822),
-  ('whiteboard', 8, 'behind', 0.004709, 0.03),
-  ('whiteboard', 8, 'edge_free', 0.3329, 0.2234),
-  ('whiteboard', 8, 'edge_free_top', 0.3322, 0.161),
-  ('whiteboard', 8, 'edge_joined', 0.4694, 0.1524),
-  ('whiteboard', 8, 'edge_unseen', 0.09866, 0.1131),
-  ('whiteboard', 8, 'height', 1.385, 0.03685),
-  ('whiteboard', 8, 'length', 0.4003, 0.2796),
-  ('whiteboard', 8, 'rectangularity', 0.7195, 0.08891),
-  ('whiteboard', 8, 'spread_length', 0.256, 0.332),
-  ('whiteboard', 8, 'spread_width', -0.2924, 0.1725),
-  ('whiteboard', 8, 'tilt_deg', 89.62, 0.6411),
-  ('whiteboard', 8, 'width', 0.06153, 0.1811),
-  ('whiteboard', 8, 'z_max', 1.935, 0.09524),
-  ('whiteboard', 8, 'z_min', 0.7467, 0.1861);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 9, 0.01789, '');
+  ('whiteboard', 8, 'aspect', 0.5054, 0.2617),
+  ('whiteboard', 8, 'behind', 0.003633, 0.03001),
+  ('whiteboard', 8, 'corner_offset', 1.22, 0.3048),
+  ('whiteboard', 8, 'edge_concave', 0.2849, 0.05486),
+  ('whiteboard', 8, 'edge_convex', -5.936e-05, 0.03),
+  ('whiteboard', 8, 'edge_free', 0.05855, 0.1242),
+  ('whiteboard', 8, 'edge_free_top', 0.07205, 0.1397),
+  ('whiteboard', 8, 'edge_unseen', 0.07212, 0.1139),
+  ('whiteboard', 8, 'headroom', 0.5965, 0.3068),
+  ('whiteboard', 8, 'height', 1.398, 0.0467),
+  ('whiteboard', 8, 'lift', 0.1496, 0.03974),
+  ('whiteboard', 8, 'rectangularity', 0.6761, 0.1034),
+  ('whiteboard', 8, 'spread_length', 0.714, 0.1902),
+  ('whiteboard', 8, 'spread_width', 0.08877, 0.2464),
+  ('whiteboard', 8, 'standoff', 0.02973, 0.03778),
+  ('whiteboard', 8, 'tilt_deg', 89.58, 0.6209),
+  ('whiteboard', 8, 'wall_offset', -0.1032, 2.29),
+  ('whiteboard', 8, 'width', 0.4222, 0.09162),
+  ('whiteboard', 8, 'z_max', 2.087, 0.07998),
+  ('whiteboard', 8, 'z_min', 0.3862, 0.1687);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('whiteboard', 9, 0.02989, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('whiteboard', 9, 'area_m2', -2.197, 1.093),
-  ('whiteboard', 9, 'aspect', 0.3563, 0.2371),
-  ('whiteboard', 9, 'behind', 0.05602, 0.09046),
-  ('whiteboard', 9, 'edge_free', 0.08289, 0.07813),
-  ('whiteboard', 9, 'edge_free_top', 0.2151, 0.1989),
-  ('whiteboard', 9, 'edge_joined', 0.4959, 0.1065),
-  ('whiteboard', 9, 'edge_unseen', 0.02981, 0.0463),
-  ('whiteboard', 9, 'height', 1.79, 0.1483),
-  ('whiteboard', 9, 'length', -0.7994, 0.5502),
-  ('whiteboard', 9, 'rectangularity', 0.8007, 0.07033),
-  ('whiteboard', 9, 'spread_length', -0.9063, 0.4874),
-  ('whiteboard', 9, 'spread_width', -1.309, 0.5552),
-  ('whiteboard', 9, 'tilt_deg', 84.52, 8.259),
-  ('whiteboard', 9, 'width', -1.207, 0.5537),
-  ('whiteboard', 9, 'z_max', 2.018, 0.07671),
-  ('whiteboard', 9, 'z_min', 1.597, 0.2374);
+  ('whiteboard', 9, 'aspect', 0.2413, 0.1555),
+  ('whiteboard', 9, 'behind', 0.3489, 0.1299),
+  ('whiteboard', 9, 'corner_offset', 0.1602, 0.7085),
+  ('whiteboard', 9, 'edge_concave', 0.1419, 0.08764),
+  ('whiteboard', 9, 'edge_convex', 0.07442, 0.1034),
+  ('whiteboard', 9, 'edge_free', 0.02012, 0.03),
+  ('whiteboard', 9, 'edge_free_top', 0.01385, 0.03),
+  ('whiteboard', 9, 'edge_unseen', 0.019, 0.03739),
+  ('whiteboard', 9, 'headroom', 0.6547, 0.1415),
+  ('whiteboard', 9, 'height', 1.481, 0.0746),
+  ('whiteboard', 9, 'lift', 0.1754, 0.05746),
+  ('whiteboard', 9, 'rectangularity', 0.834, 0.09165),
+  ('whiteboard', 9, 'spread_length', 0.2833, 0.1609),
+  ('whiteboard', 9, 'spread_width', -0.01634, 0.1134),
+  ('whiteboard', 9, 'standoff', 0.6001, 0.3751),
+  ('whiteboard', 9, 'tilt_deg', 89.95, 0.45),
+  ('whiteboard', 9, 'wall_offset', 0.7328, 0.65),
+  ('whiteboard', 9, 'width', 0.1312, 0.07737),
+  ('whiteboard', 9, 'z_max', 2.042, 0.1204),
+  ('whiteboard', 9, 'z_min', 0.8666, 0.08037);
 
 -- shelf: 1281 examples
-UPDATE object_class SET prior = 0.09723 WHERE name = 'shelf';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'area_m2', -1.583, 0.7849)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.07965 WHERE name = 'shelf';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'aspect', 0.9165, 0.4393)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'behind', 0.5808, 0.3122)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'corner_offset', 0.5705, 0.862)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_concave', 0.4863, 0.1957)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_convex', 0.02776, 0.06735)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_free', 0.3069, 0.1781)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_free_top', 0.4294, 0.3452)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_joined', 0.3637, 0.2876)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'edge_unseen', 0.05169, 0.1078)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'headroom', 0.5813, 0.7294)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'height', 0.9223, 0.4868)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'length', -0.1383, 0.5111)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'lift', 0.2471, 0.292)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'rectangularity', 0.6944, 0.132)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3431,7 +4145,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'spread
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'spread_width', -1.262, 0.3889)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'standoff', 0.6796, 0.45)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'tilt_deg', 45.55, 44.28)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'wall_offset', 1.168, 1.037)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'width', -1.06, 0.3624)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3441,206 +4159,250 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('shelf', 'z_min'
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'shelf';
 DELETE FROM class_density WHERE class = 'shelf';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 1, 0.1496, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 1, 0.1471, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 1, 'area_m2', -1.331, 0.4663),
-  ('shelf', 1, 'aspect', 0.8951, 0.3534),
-  ('shelf', 1, 'behind', 0.7791, 0.1656),
-  ('shelf', 1, 'edge_free', 0.3551, 0.1063),
-  ('shelf', 1, 'edge_free_top', 0.4969, 0.3447),
-  ('shelf', 1, 'edge_joined', 0.224, 0.3267),
-  ('shelf', 1, 'edge_unseen', 0.1049, 0.1075),
-  ('shelf', 1, 'height', 1.147, 0.205),
-  ('shelf', 1, 'length', 0.05824, 0.3091),
-  ('shelf', 1, 'rectangularity', 0.7447, 0.1253),
-  ('shelf', 1, 'spread_length', -0.2152, 0.3469),
-  ('shelf', 1, 'spread_width', -1.163, 0.2011),
-  ('shelf', 1, 'tilt_deg', 90.16, 0.5051),
-  ('shelf', 1, 'width', -0.952, 0.1292),
-  ('shelf', 1, 'z_max', 1.699, 0.2283),
-  ('shelf', 1, 'z_min', 0.3702, 0.1998);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 2, 0.1755, '');
+  ('shelf', 1, 'aspect', 1.226, 0.3058),
+  ('shelf', 1, 'behind', 0.753, 0.1214),
+  ('shelf', 1, 'corner_offset', 0.2406, 0.04196),
+  ('shelf', 1, 'edge_concave', 0.44, 0.1572),
+  ('shelf', 1, 'edge_convex', 0.06398, 0.07152),
+  ('shelf', 1, 'edge_free', 0.4359, 0.03786),
+  ('shelf', 1, 'edge_free_top', 0.5101, 0.3735),
+  ('shelf', 1, 'edge_unseen', 0.01024, 0.03048),
+  ('shelf', 1, 'headroom', 0.1895, 1.044),
+  ('shelf', 1, 'height', 0.6979, 0.2755),
+  ('shelf', 1, 'lift', 0.2307, 0.06005),
+  ('shelf', 1, 'rectangularity', 0.683, 0.1115),
+  ('shelf', 1, 'spread_length', -0.1128, 0.5338),
+  ('shelf', 1, 'spread_width', -1.138, 0.128),
+  ('shelf', 1, 'standoff', 0.4741, 0.4043),
+  ('shelf', 1, 'tilt_deg', 89.94, 0.456),
+  ('shelf', 1, 'wall_offset', 0.6192, 0.88),
+  ('shelf', 1, 'width', -1.136, 0.2303),
+  ('shelf', 1, 'z_max', 1.32, 0.5302),
+  ('shelf', 1, 'z_min', 0.0328, 0.02838);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 2, 0.07728, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 2, 'area_m2', -1.401, 0.4125),
-  ('shelf', 2, 'aspect', 0.8447, 0.2389),
-  ('shelf', 2, 'behind', 0.7579, 0.09146),
-  ('shelf', 2, 'edge_free', 0.2871, 0.1407),
-  ('shelf', 2, 'edge_free_top', 0.4292, 0.1076),
-  ('shelf', 2, 'edge_joined', 0.6151, 0.3029),
-  ('shelf', 2, 'edge_unseen', 0.03785, 0.0947),
-  ('shelf', 2, 'height', 1.62, 0.287),
-  ('shelf', 2, 'length', -0.162, 0.2666),
-  ('shelf', 2, 'rectangularity', 0.7798, 0.1027),
-  ('shelf', 2, 'spread_length', -0.364, 0.2713),
-  ('shelf', 2, 'spread_width', -1.022, 0.09726),
-  ('shelf', 2, 'tilt_deg', 0.4651, 0.45),
-  ('shelf', 2, 'width', -0.9325, 0.1074),
-  ('shelf', 2, 'z_max', 1.568, 0.3198),
-  ('shelf', 2, 'z_min', 1.575, 0.3104);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 3, 0.1055, '');
+  ('shelf', 2, 'aspect', 1.127, 0.6479),
+  ('shelf', 2, 'behind', 0.673, 0.1722),
+  ('shelf', 2, 'corner_offset', 1.181, 0.4552),
+  ('shelf', 2, 'edge_concave', 0.4272, 0.2111),
+  ('shelf', 2, 'edge_convex', 0.001075, 0.03),
+  ('shelf', 2, 'edge_free', 0.4129, 0.06625),
+  ('shelf', 2, 'edge_free_top', 0.4279, 0.09674),
+  ('shelf', 2, 'edge_unseen', 0.1445, 0.114),
+  ('shelf', 2, 'headroom', 0.4696, 0.1302),
+  ('shelf', 2, 'height', 1.012, 0.4525),
+  ('shelf', 2, 'lift', 0.4324, 0.1131),
+  ('shelf', 2, 'rectangularity', 0.6041, 0.1171),
+  ('shelf', 2, 'spread_length', -0.5384, 0.2596),
+  ('shelf', 2, 'spread_width', -1.796, 0.3068),
+  ('shelf', 2, 'standoff', 0.6742, 0.124),
+  ('shelf', 2, 'tilt_deg', 1.98, 2.13),
+  ('shelf', 2, 'wall_offset', 1.159, 0.1908),
+  ('shelf', 2, 'width', -1.601, 0.3736),
+  ('shelf', 2, 'z_max', 0.9529, 0.4204),
+  ('shelf', 2, 'z_min', 1.141, 0.3778);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 3, 0.1227, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 3, 'area_m2', -0.6209, 0.3217),
-  ('shelf', 3, 'aspect', 1.532, 0.1477),
-  ('shelf', 3, 'behind', 0.7577, 0.121),
-  ('shelf', 3, 'edge_free', 0.3924, 0.06173),
-  ('shelf', 3, 'edge_free_top', 0.4918, 0.2909),
-  ('shelf', 3, 'edge_joined', 0.2737, 0.1985),
-  ('shelf', 3, 'edge_unseen', 0.01072, 0.03),
-  ('shelf', 3, 'height', 1.007, 0.1075),
-  ('shelf', 3, 'length', 0.6122, 0.1294),
-  ('shelf', 3, 'rectangularity', 0.7068, 0.1049),
-  ('shelf', 3, 'spread_length', 0.4818, 0.1117),
-  ('shelf', 3, 'spread_width', -1.049, 0.1512),
-  ('shelf', 3, 'tilt_deg', 89.81, 1.746),
-  ('shelf', 3, 'width', -0.8897, 0.1929),
-  ('shelf', 3, 'z_max', 1.98, 0.132),
-  ('shelf', 3, 'z_min', 0.08038, 0.1021);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 4, 0.1298, '');
+  ('shelf', 3, 'aspect', 0.7996, 0.2754),
+  ('shelf', 3, 'behind', 0.7604, 0.08694),
+  ('shelf', 3, 'corner_offset', 0.2705, 0.09077),
+  ('shelf', 3, 'edge_concave', 0.5675, 0.1488),
+  ('shelf', 3, 'edge_convex', 0.03128, 0.06097),
+  ('shelf', 3, 'edge_free', 0.2631, 0.1744),
+  ('shelf', 3, 'edge_free_top', 0.4051, 0.226),
+  ('shelf', 3, 'edge_unseen', 0.04476, 0.1186),
+  ('shelf', 3, 'headroom', 0.5612, 0.2382),
+  ('shelf', 3, 'height', 1.676, 0.2247),
+  ('shelf', 3, 'lift', 0.4473, 0.1186),
+  ('shelf', 3, 'rectangularity', 0.7539, 0.1315),
+  ('shelf', 3, 'spread_length', -0.3474, 0.3279),
+  ('shelf', 3, 'spread_width', -1.083, 0.1109),
+  ('shelf', 3, 'standoff', 0.661, 0.06678),
+  ('shelf', 3, 'tilt_deg', 0.3796, 0.4511),
+  ('shelf', 3, 'wall_offset', 1.515, 0.1775),
+  ('shelf', 3, 'width', -0.9553, 0.2254),
+  ('shelf', 3, 'z_max', 1.653, 0.1871),
+  ('shelf', 3, 'z_min', 1.703, 0.2286);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 4, 0.1573, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 4, 'area_m2', -1.742, 0.4132),
-  ('shelf', 4, 'aspect', 1.049, 0.3598),
-  ('shelf', 4, 'behind', 0.6907, 0.1363),
-  ('shelf', 4, 'edge_free', 0.385, 0.06651),
-  ('shelf', 4, 'edge_free_top', 0.4287, 0.1074),
-  ('shelf', 4, 'edge_joined', 0.3985, 0.118),
-  ('shelf', 4, 'edge_unseen', 0.01612, 0.0396),
-  ('shelf', 4, 'height', 0.4683, 0.07155),
-  ('shelf', 4, 'length', -0.1784, 0.2404),
-  ('shelf', 4, 'rectangularity', 0.6828, 0.1009),
-  ('shelf', 4, 'spread_length', -0.2556, 0.125),
-  ('shelf', 4, 'spread_width', -1.429, 0.3344),
-  ('shelf', 4, 'tilt_deg', 2.04, 1.315),
-  ('shelf', 4, 'width', -1.082, 0.1511),
-  ('shelf', 4, 'z_max', 0.4613, 0.06679),
-  ('shelf', 4, 'z_min', 0.4716, 0.07765);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 5, 0.06994, '');
+  ('shelf', 4, 'aspect', 1.071, 0.4853),
+  ('shelf', 4, 'behind', 0.798, 0.1387),
+  ('shelf', 4, 'corner_offset', 0.2395, 0.04198),
+  ('shelf', 4, 'edge_concave', 0.4101, 0.1756),
+  ('shelf', 4, 'edge_convex', 0.05772, 0.05831),
+  ('shelf', 4, 'edge_free', 0.3515, 0.1075),
+  ('shelf', 4, 'edge_free_top', 0.4519, 0.3688),
+  ('shelf', 4, 'edge_unseen', 0.08833, 0.1006),
+  ('shelf', 4, 'headroom', -0.2526, 0.6896),
+  ('shelf', 4, 'height', 1.074, 0.2004),
+  ('shelf', 4, 'lift', 0.008306, 0.1093),
+  ('shelf', 4, 'rectangularity', 0.7871, 0.09004),
+  ('shelf', 4, 'spread_length', -0.2049, 0.3684),
+  ('shelf', 4, 'spread_width', -1.127, 0.1532),
+  ('shelf', 4, 'standoff', 0.6695, 0.5097),
+  ('shelf', 4, 'tilt_deg', 90.08, 0.4503),
+  ('shelf', 4, 'wall_offset', 1.069, 1.186),
+  ('shelf', 4, 'width', -0.9885, 0.1375),
+  ('shelf', 4, 'z_max', 1.723, 0.2955),
+  ('shelf', 4, 'z_min', 0.3531, 0.2482);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 5, 0.1413, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 5, 'area_m2', -1.621, 0.4685),
-  ('shelf', 5, 'aspect', 0.8752, 0.3409),
-  ('shelf', 5, 'behind', 0.823, 0.05656),
-  ('shelf', 5, 'edge_free', 0.2908, 0.1422),
-  ('shelf', 5, 'edge_free_top', 0.4273, 0.1053),
-  ('shelf', 5, 'edge_joined', 0.5948, 0.2391),
-  ('shelf', 5, 'edge_unseen', 0.04819, 0.08171),
-  ('shelf', 5, 'height', 0.8909, 0.1395),
-  ('shelf', 5, 'length', -0.1617, 0.2655),
-  ('shelf', 5, 'rectangularity', 0.6909, 0.1428),
-  ('shelf', 5, 'spread_length', -0.3149, 0.1814),
-  ('shelf', 5, 'spread_width', -1.352, 0.3038),
-  ('shelf', 5, 'tilt_deg', 1.302, 0.8371),
-  ('shelf', 5, 'width', -0.9872, 0.167),
-  ('shelf', 5, 'z_max', 0.8524, 0.1258),
-  ('shelf', 5, 'z_min', 0.8936, 0.1298);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 6, 0.1193, '');
+  ('shelf', 5, 'aspect', 0.9375, 0.4303),
+  ('shelf', 5, 'behind', 0.621, 0.1161),
+  ('shelf', 5, 'corner_offset', 0.2445, 0.05126),
+  ('shelf', 5, 'edge_concave', 0.6267, 0.1664),
+  ('shelf', 5, 'edge_convex', 0.003364, 0.03),
+  ('shelf', 5, 'edge_free', 0.3224, 0.08968),
+  ('shelf', 5, 'edge_free_top', 0.4289, 0.09983),
+  ('shelf', 5, 'edge_unseen', 0.00583, 0.03557),
+  ('shelf', 5, 'headroom', 1.064, 0.4),
+  ('shelf', 5, 'height', 0.4702, 0.06651),
+  ('shelf', 5, 'lift', 0.2426, 0.06875),
+  ('shelf', 5, 'rectangularity', 0.6768, 0.09039),
+  ('shelf', 5, 'spread_length', -0.2535, 0.1326),
+  ('shelf', 5, 'spread_width', -1.382, 0.3245),
+  ('shelf', 5, 'standoff', 0.6882, 0.1464),
+  ('shelf', 5, 'tilt_deg', 2.01, 1.647),
+  ('shelf', 5, 'wall_offset', 1.207, 0.3664),
+  ('shelf', 5, 'width', -1.229, 0.3175),
+  ('shelf', 5, 'z_max', 0.4596, 0.05702),
+  ('shelf', 5, 'z_min', 0.48, 0.07237);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 6, 0.09537, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 6, 'area_m2', -1.142, 0.2792),
-  ('shelf', 6, 'aspect', 1.182, 0.2214),
-  ('shelf', 6, 'behind', 0.7978, 0.07438),
-  ('shelf', 6, 'edge_free', 0.4368, 0.04241),
-  ('shelf', 6, 'edge_free_top', 0.5994, 0.3098),
-  ('shelf', 6, 'edge_joined', 0.1987, 0.1914),
-  ('shelf', 6, 'edge_unseen', 0.005441, 0.03),
-  ('shelf', 6, 'height', 0.6654, 0.1558),
-  ('shelf', 6, 'length', 0.2141, 0.1396),
-  ('shelf', 6, 'rectangularity', 0.7168, 0.1114),
-  ('shelf', 6, 'spread_length', 0.02847, 0.1541),
-  ('shelf', 6, 'spread_width', -1.111, 0.1367),
-  ('shelf', 6, 'tilt_deg', 90.06, 0.7063),
-  ('shelf', 6, 'width', -0.9972, 0.1793),
-  ('shelf', 6, 'z_max', 1.25, 0.214),
-  ('shelf', 6, 'z_min', 0.03008, 0.02753);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 7, 0.07979, '');
+  ('shelf', 6, 'aspect', 0.8534, 0.2743),
+  ('shelf', 6, 'behind', 0.8092, 0.06853),
+  ('shelf', 6, 'corner_offset', 0.2562, 0.04003),
+  ('shelf', 6, 'edge_concave', 0.5146, 0.1486),
+  ('shelf', 6, 'edge_convex', 0.02589, 0.03569),
+  ('shelf', 6, 'edge_free', 0.2851, 0.1188),
+  ('shelf', 6, 'edge_free_top', 0.423, 0.1009),
+  ('shelf', 6, 'edge_unseen', 0.02071, 0.1126),
+  ('shelf', 6, 'headroom', 0.8411, 0.4722),
+  ('shelf', 6, 'height', 0.9184, 0.1555),
+  ('shelf', 6, 'lift', 0.4681, 0.03701),
+  ('shelf', 6, 'rectangularity', 0.735, 0.09092),
+  ('shelf', 6, 'spread_length', -0.4979, 0.3377),
+  ('shelf', 6, 'spread_width', -1.371, 0.3062),
+  ('shelf', 6, 'standoff', 0.7193, 0.1582),
+  ('shelf', 6, 'tilt_deg', 0.668, 0.45),
+  ('shelf', 6, 'wall_offset', 1.023, 0.2766),
+  ('shelf', 6, 'width', -1.012, 0.158),
+  ('shelf', 6, 'z_max', 0.909, 0.1644),
+  ('shelf', 6, 'z_min', 0.9311, 0.1352);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 7, 0.04129, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 7, 'area_m2', -2.758, 0.441),
-  ('shelf', 7, 'aspect', 0.787, 0.6875),
-  ('shelf', 7, 'behind', 0.6199, 0.1659),
-  ('shelf', 7, 'edge_free', 0.317, 0.1329),
-  ('shelf', 7, 'edge_free_top', 0.5749, 0.3765),
-  ('shelf', 7, 'edge_joined', 0.3665, 0.2303),
-  ('shelf', 7, 'edge_unseen', 0.2665, 0.09139),
-  ('shelf', 7, 'height', 0.9499, 0.464),
-  ('shelf', 7, 'length', -0.7587, 0.3386),
-  ('shelf', 7, 'rectangularity', 0.6193, 0.08922),
-  ('shelf', 7, 'spread_length', -0.8793, 0.2328),
-  ('shelf', 7, 'spread_width', -1.784, 0.2838),
-  ('shelf', 7, 'tilt_deg', 6.213, 16.81),
-  ('shelf', 7, 'width', -1.538, 0.4058),
-  ('shelf', 7, 'z_max', 0.9381, 0.4943),
-  ('shelf', 7, 'z_min', 0.9509, 0.4612);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 8, 0.06976, '');
+  ('shelf', 7, 'aspect', 0.9904, 0.6271),
+  ('shelf', 7, 'behind', 0.2091, 0.545),
+  ('shelf', 7, 'corner_offset', 1.609, 1.952),
+  ('shelf', 7, 'edge_concave', 0.4458, 0.1333),
+  ('shelf', 7, 'edge_convex', 0.004692, 0.03),
+  ('shelf', 7, 'edge_free', 0.1925, 0.1866),
+  ('shelf', 7, 'edge_free_top', 0.08582, 0.1311),
+  ('shelf', 7, 'edge_unseen', 0.01829, 0.05471),
+  ('shelf', 7, 'headroom', 0.2828, 0.5338),
+  ('shelf', 7, 'height', 0.8487, 0.1167),
+  ('shelf', 7, 'lift', 0.1315, 0.2131),
+  ('shelf', 7, 'rectangularity', 0.6903, 0.1603),
+  ('shelf', 7, 'spread_length', -0.3781, 0.6213),
+  ('shelf', 7, 'spread_width', -1.801, 0.266),
+  ('shelf', 7, 'standoff', 0.05061, 0.06982),
+  ('shelf', 7, 'tilt_deg', 89.86, 0.5511),
+  ('shelf', 7, 'wall_offset', 1.072, 0.9821),
+  ('shelf', 7, 'width', -1.723, 0.3433),
+  ('shelf', 7, 'z_max', 1.423, 0.2285),
+  ('shelf', 7, 'z_min', 0.4907, 0.7839);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 8, 0.03666, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 8, 'area_m2', -2.139, 0.9521),
-  ('shelf', 8, 'aspect', 0.3453, 0.3762),
-  ('shelf', 8, 'behind', 0.01125, 0.03),
-  ('shelf', 8, 'edge_free', 0.01649, 0.04059),
-  ('shelf', 8, 'edge_free_top', 0.01214, 0.03),
-  ('shelf', 8, 'edge_joined', 0.05948, 0.06475),
-  ('shelf', 8, 'edge_unseen', -0.0005957, 0.03066),
-  ('shelf', 8, 'height', 1.091, 0.4656),
-  ('shelf', 8, 'length', -0.5486, 0.5403),
-  ('shelf', 8, 'rectangularity', 0.6679, 0.1972),
-  ('shelf', 8, 'spread_length', -0.5714, 0.5138),
-  ('shelf', 8, 'spread_width', -1.186, 0.6971),
-  ('shelf', 8, 'tilt_deg', 89.68, 1.049),
-  ('shelf', 8, 'width', -1.152, 0.8059),
-  ('shelf', 8, 'z_max', 1.176, 0.4799),
-  ('shelf', 8, 'z_min', 0.4569, 0.2371);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 9, 0.03326, '');
+  ('shelf', 8, 'aspect', 0.6578, 0.6383),
+  ('shelf', 8, 'behind', -0.00393, 0.03),
+  ('shelf', 8, 'corner_offset', 0.1994, 0.07076),
+  ('shelf', 8, 'edge_concave', 0.4739, 0.224),
+  ('shelf', 8, 'edge_convex', 0.0001913, 0.03009),
+  ('shelf', 8, 'edge_free', 0.2443, 0.1641),
+  ('shelf', 8, 'edge_free_top', 0.4314, 0.1094),
+  ('shelf', 8, 'edge_unseen', 0.04078, 0.08555),
+  ('shelf', 8, 'headroom', 0.7331, 0.6928),
+  ('shelf', 8, 'height', 0.0896, 0.0225),
+  ('shelf', 8, 'lift', 0.2488, 0.09299),
+  ('shelf', 8, 'rectangularity', 0.6909, 0.1179),
+  ('shelf', 8, 'spread_length', -0.376, 0.2468),
+  ('shelf', 8, 'spread_width', -1.585, 0.2529),
+  ('shelf', 8, 'standoff', 0.6793, 0.148),
+  ('shelf', 8, 'tilt_deg', 0.8388, 1.088),
+  ('shelf', 8, 'wall_offset', 1.173, 0.3381),
+  ('shelf', 8, 'width', -1.312, 0.3033),
+  ('shelf', 8, 'z_max', 0.08791, 0.0225),
+  ('shelf', 8, 'z_min', 0.08917, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 9, 0.07288, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 9, 'area_m2', -2.24, 0.7101),
-  ('shelf', 9, 'aspect', 0.5919, 0.5153),
-  ('shelf', 9, 'behind', -0.006431, 0.03),
-  ('shelf', 9, 'edge_free', 0.1867, 0.1421),
-  ('shelf', 9, 'edge_free_top', 0.4297, 0.1088),
-  ('shelf', 9, 'edge_joined', 0.3731, 0.2208),
-  ('shelf', 9, 'edge_unseen', 0.04834, 0.1064),
-  ('shelf', 9, 'height', 0.08393, 0.0225),
-  ('shelf', 9, 'length', -0.6216, 0.5226),
-  ('shelf', 9, 'rectangularity', 0.7058, 0.1117),
-  ('shelf', 9, 'spread_length', -0.4361, 0.4172),
-  ('shelf', 9, 'spread_width', -1.501, 0.2528),
-  ('shelf', 9, 'tilt_deg', 0.7624, 1.33),
-  ('shelf', 9, 'width', -1.259, 0.2829),
-  ('shelf', 9, 'z_max', 0.09301, 0.0225),
-  ('shelf', 9, 'z_min', 0.08763, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 10, 0.01754, '');
+  ('shelf', 9, 'aspect', 0.143, 0.4938),
+  ('shelf', 9, 'behind', 0.004179, 0.03004),
+  ('shelf', 9, 'corner_offset', 1.606, 0.6965),
+  ('shelf', 9, 'edge_concave', 0.6295, 0.1901),
+  ('shelf', 9, 'edge_convex', -0.000157, 0.03002),
+  ('shelf', 9, 'edge_free', 0.01141, 0.03924),
+  ('shelf', 9, 'edge_free_top', 0.007662, 0.03001),
+  ('shelf', 9, 'edge_unseen', 0.001957, 0.03001),
+  ('shelf', 9, 'headroom', 0.4281, 0.774),
+  ('shelf', 9, 'height', 1.084, 0.4843),
+  ('shelf', 9, 'lift', 0.1194, 0.2312),
+  ('shelf', 9, 'rectangularity', 0.6555, 0.2121),
+  ('shelf', 9, 'spread_length', -0.5863, 0.538),
+  ('shelf', 9, 'spread_width', -1.176, 0.7024),
+  ('shelf', 9, 'standoff', 0.07019, 0.014),
+  ('shelf', 9, 'tilt_deg', 89.73, 0.906),
+  ('shelf', 9, 'wall_offset', 0.0614, 0.04),
+  ('shelf', 9, 'width', -1.172, 0.6177),
+  ('shelf', 9, 'z_max', 1.268, 0.4659),
+  ('shelf', 9, 'z_min', 0.4299, 0.2541);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('shelf', 10, 0.05812, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('shelf', 10, 'area_m2', -2.228, 0.3173),
-  ('shelf', 10, 'aspect', 0.6041, 0.2804),
-  ('shelf', 10, 'behind', 0.7414, 0.1729),
-  ('shelf', 10, 'edge_free', 0.3123, 0.1129),
-  ('shelf', 10, 'edge_free_top', 0.2957, 0.2599),
-  ('shelf', 10, 'edge_joined', 0.2854, 0.3025),
-  ('shelf', 10, 'edge_unseen', 0.006951, 0.03),
-  ('shelf', 10, 'height', 0.6501, 0.5095),
-  ('shelf', 10, 'length', -0.6481, 0.1794),
-  ('shelf', 10, 'rectangularity', 0.7051, 0.08448),
-  ('shelf', 10, 'spread_length', -0.834, 0.09274),
-  ('shelf', 10, 'spread_width', -1.442, 0.2832),
-  ('shelf', 10, 'tilt_deg', 89.57, 2.695),
-  ('shelf', 10, 'width', -1.253, 0.2323),
-  ('shelf', 10, 'z_max', 0.8181, 0.6378),
-  ('shelf', 10, 'z_min', 0.2545, 0.4001);
+  ('shelf', 10, 'aspect', 1.067, 0.3476),
+  ('shelf', 10, 'behind', 0.5616, 0.1526),
+  ('shelf', 10, 'corner_offset', 3.507, 0.909),
+  ('shelf', 10, 'edge_concave', 0.2556, 0.1617),
+  ('shelf', 10, 'edge_convex', 0.1901, 0.06293),
+  ('shelf', 10, 'edge_free', 0.5087, 0.3294),
+  ('shelf', 10, 'edge_free_top', 0.6224, 0.4027),
+  ('shelf', 10, 'edge_unseen', 0.1472, 0.184),
+  ('shelf', 10, 'headroom', -0.09448, 0.3486),
+  ('shelf', 10, 'height', 1.224, 0.1898),
+  ('shelf', 10, 'lift', 0.08505, 0.0758),
+  ('shelf', 10, 'rectangularity', 0.7256, 0.1135),
+  ('shelf', 10, 'spread_length', -0.101, 0.3953),
+  ('shelf', 10, 'spread_width', -1.283, 0.2069),
+  ('shelf', 10, 'standoff', 0.9001, 0.1151),
+  ('shelf', 10, 'tilt_deg', 90, 1.181),
+  ('shelf', 10, 'wall_offset', 1.91, 0.5741),
+  ('shelf', 10, 'width', -1.082, 0.1161),
+  ('shelf', 10, 'z_max', 1.723, 0.1368),
+  ('shelf', 10, 'z_min', 0.476, 0.4332);
 
 -- cabinet: 1432 examples
-UPDATE object_class SET prior = 0.1025 WHERE name = 'cabinet';
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'area_m2', -0.8719, 0.985)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+UPDATE object_class SET prior = 0.1186 WHERE name = 'cabinet';
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'aspect', 0.6635, 0.4321)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'behind', 0.4908, 0.2446)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'corner_offset', 1.063, 0.9624)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_concave', 0.368, 0.2616)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_convex', 0.1886, 0.181)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_free', 0.3791, 0.2761)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_free_top', 0.7426, 0.3275)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_joined', 0.2879, 0.308)
-  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'edge_unseen', 0.08673, 0.1629)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'headroom', 0.6789, 0.7428)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'height', 0.7987, 0.363)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
-INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'length', 0.05881, 0.4993)
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'lift', -0.02935, 0.05039)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'rectangularity', 0.7404, 0.1333)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3648,7 +4410,11 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'spre
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'spread_width', -0.812, 0.5429)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'standoff', 0.7394, 0.3517)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'tilt_deg', 74.86, 33.3)
+  ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
+INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'wall_offset', 1.158, 0.9935)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'width', -0.6088, 0.5095)
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
@@ -3658,258 +4424,299 @@ INSERT INTO class_feature (class, feature, mean, sigma) VALUES ('cabinet', 'z_mi
   ON CONFLICT (class, feature) DO UPDATE SET mean = excluded.mean, sigma = excluded.sigma;
 DELETE FROM class_kind WHERE class = 'cabinet';
 DELETE FROM class_density WHERE class = 'cabinet';
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 1, 0.1054, '');
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 1, 0.1354, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 1, 'area_m2', -0.6255, 0.6187),
-  ('cabinet', 1, 'aspect', 0.706, 0.5974),
-  ('cabinet', 1, 'behind', 0.2775, 0.1665),
-  ('cabinet', 1, 'edge_free', 0.6139, 0.347),
-  ('cabinet', 1, 'edge_free_top', 0.9873, 0.03),
-  ('cabinet', 1, 'edge_joined', 0.05964, 0.1006),
-  ('cabinet', 1, 'edge_unseen', 0.3695, 0.1992),
-  ('cabinet', 1, 'height', 1.108, 0.2183),
-  ('cabinet', 1, 'length', 0.2183, 0.3251),
-  ('cabinet', 1, 'rectangularity', 0.6808, 0.1292),
-  ('cabinet', 1, 'spread_length', -0.2921, 0.4809),
-  ('cabinet', 1, 'spread_width', -0.8088, 0.8864),
-  ('cabinet', 1, 'tilt_deg', 90.3, 0.45),
-  ('cabinet', 1, 'width', -0.6127, 0.7157),
-  ('cabinet', 1, 'z_max', 1.758, 0.4726),
-  ('cabinet', 1, 'z_min', 0.2835, 0.1698);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 2, 0.09589, '');
+  ('cabinet', 1, 'aspect', 0.8313, 0.5691),
+  ('cabinet', 1, 'behind', 0.2372, 0.1881),
+  ('cabinet', 1, 'corner_offset', 2.005, 0.6958),
+  ('cabinet', 1, 'edge_concave', 0.03053, 0.07166),
+  ('cabinet', 1, 'edge_convex', 0.03668, 0.0897),
+  ('cabinet', 1, 'edge_free', 0.5484, 0.2838),
+  ('cabinet', 1, 'edge_free_top', 0.9126, 0.1176),
+  ('cabinet', 1, 'edge_unseen', 0.2877, 0.2203),
+  ('cabinet', 1, 'headroom', 0.5047, 0.1525),
+  ('cabinet', 1, 'height', 1.238, 0.1441),
+  ('cabinet', 1, 'lift', -0.05284, 0.025),
+  ('cabinet', 1, 'rectangularity', 0.7137, 0.1047),
+  ('cabinet', 1, 'spread_length', -0.4231, 0.4093),
+  ('cabinet', 1, 'spread_width', -0.9937, 0.9613),
+  ('cabinet', 1, 'standoff', 0.5372, 0.06758),
+  ('cabinet', 1, 'tilt_deg', 90.21, 0.45),
+  ('cabinet', 1, 'wall_offset', 2.123, 1.669),
+  ('cabinet', 1, 'width', -0.42, 0.3714),
+  ('cabinet', 1, 'z_max', 1.927, 0.1218),
+  ('cabinet', 1, 'z_min', 0.4613, 0.1451);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 2, 0.06986, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 2, 'area_m2', -0.3821, 0.3791),
-  ('cabinet', 2, 'aspect', 0.5848, 0.2533),
-  ('cabinet', 2, 'behind', 0.53, 0.1402),
-  ('cabinet', 2, 'edge_free', 0.3529, 0.3104),
-  ('cabinet', 2, 'edge_free_top', 0.9364, 0.119),
-  ('cabinet', 2, 'edge_joined', 0.1682, 0.3079),
-  ('cabinet', 2, 'edge_unseen', 0.001641, 0.03847),
-  ('cabinet', 2, 'height', 0.5839, 0.1125),
-  ('cabinet', 2, 'length', 0.1615, 0.1618),
-  ('cabinet', 2, 'rectangularity', 0.8555, 0.147),
-  ('cabinet', 2, 'spread_length', -0.0451, 0.1489),
-  ('cabinet', 2, 'spread_width', -0.4547, 0.3953),
-  ('cabinet', 2, 'tilt_deg', 90.18, 0.45),
-  ('cabinet', 2, 'width', -0.4393, 0.2771),
-  ('cabinet', 2, 'z_max', 1.134, 0.1371),
-  ('cabinet', 2, 'z_min', -0.001909, 0.0225);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 3, 0.1815, '');
+  ('cabinet', 2, 'aspect', 0.2471, 0.5331),
+  ('cabinet', 2, 'behind', 0.4473, 0.399),
+  ('cabinet', 2, 'corner_offset', 1.454, 0.9493),
+  ('cabinet', 2, 'edge_concave', 0.1728, 0.2575),
+  ('cabinet', 2, 'edge_convex', 0.1528, 0.2765),
+  ('cabinet', 2, 'edge_free', 0.3085, 0.3199),
+  ('cabinet', 2, 'edge_free_top', 0.6464, 0.3869),
+  ('cabinet', 2, 'edge_unseen', 0.33, 0.2408),
+  ('cabinet', 2, 'headroom', -0.004687, 0.07895),
+  ('cabinet', 2, 'height', 0.7406, 0.2346),
+  ('cabinet', 2, 'lift', -0.1138, 0.025),
+  ('cabinet', 2, 'rectangularity', 0.6427, 0.06934),
+  ('cabinet', 2, 'spread_length', -0.676, 0.1307),
+  ('cabinet', 2, 'spread_width', -1.716, 0.3603),
+  ('cabinet', 2, 'standoff', 0.7661, 0.1775),
+  ('cabinet', 2, 'tilt_deg', 89.81, 0.6369),
+  ('cabinet', 2, 'wall_offset', 1.02, 1.038),
+  ('cabinet', 2, 'width', -1.49, 0.5228),
+  ('cabinet', 2, 'z_max', 0.8217, 0.1853),
+  ('cabinet', 2, 'z_min', 0.6635, 0.3101);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 3, 0.1442, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 3, 'area_m2', -0.5665, 0.484),
-  ('cabinet', 3, 'aspect', 0.5431, 0.3673),
-  ('cabinet', 3, 'behind', 0.5096, 0.2262),
-  ('cabinet', 3, 'edge_free', 0.2207, 0.127),
-  ('cabinet', 3, 'edge_free_top', 0.7992, 0.1654),
-  ('cabinet', 3, 'edge_joined', 0.3988, 0.2704),
-  ('cabinet', 3, 'edge_unseen', 0.1039, 0.1684),
-  ('cabinet', 3, 'height', 1.2, 0.2671),
-  ('cabinet', 3, 'length', 0.2619, 0.3894),
-  ('cabinet', 3, 'rectangularity', 0.7879, 0.1145),
-  ('cabinet', 3, 'spread_length', -0.1319, 0.3456),
-  ('cabinet', 3, 'spread_width', -0.6438, 0.1842),
-  ('cabinet', 3, 'tilt_deg', 90.19, 0.45),
-  ('cabinet', 3, 'width', -0.5286, 0.1361),
-  ('cabinet', 3, 'z_max', 1.972, 0.1333),
-  ('cabinet', 3, 'z_min', 0.4365, 0.174);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 4, 0.09378, '');
+  ('cabinet', 3, 'aspect', 0.8403, 0.5382),
+  ('cabinet', 3, 'behind', 0.5194, 0.2053),
+  ('cabinet', 3, 'corner_offset', 0.3494, 0.2564),
+  ('cabinet', 3, 'edge_concave', 0.542, 0.2602),
+  ('cabinet', 3, 'edge_convex', 0.3237, 0.1733),
+  ('cabinet', 3, 'edge_free', 0.1412, 0.06151),
+  ('cabinet', 3, 'edge_free_top', 0.7763, 0.1737),
+  ('cabinet', 3, 'edge_unseen', -0.003009, 0.03),
+  ('cabinet', 3, 'headroom', 0.7602, 0.264),
+  ('cabinet', 3, 'height', 1.071, 0.2749),
+  ('cabinet', 3, 'lift', -0.05647, 0.04067),
+  ('cabinet', 3, 'rectangularity', 0.7924, 0.08658),
+  ('cabinet', 3, 'spread_length', 0.181, 0.2997),
+  ('cabinet', 3, 'spread_width', -0.6814, 0.1351),
+  ('cabinet', 3, 'standoff', 1.197, 0.2888),
+  ('cabinet', 3, 'tilt_deg', 90.05, 0.4501),
+  ('cabinet', 3, 'wall_offset', 1.778, 0.5005),
+  ('cabinet', 3, 'width', -0.495, 0.1135),
+  ('cabinet', 3, 'z_max', 1.995, 0.1969),
+  ('cabinet', 3, 'z_min', 0.1715, 0.2711);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 4, 0.1878, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 4, 'area_m2', -1.166, 0.2252),
-  ('cabinet', 4, 'aspect', 0.3215, 0.3338),
-  ('cabinet', 4, 'behind', 0.6063, 0.09284),
-  ('cabinet', 4, 'edge_free', 0.2476, 0.2149),
-  ('cabinet', 4, 'edge_free_top', 0.6062, 0.281),
-  ('cabinet', 4, 'edge_joined', 0.2452, 0.2843),
-  ('cabinet', 4, 'edge_unseen', 0.01646, 0.06259),
-  ('cabinet', 4, 'height', 0.3438, 0.0324),
-  ('cabinet', 4, 'length', -0.2627, 0.1534),
-  ('cabinet', 4, 'rectangularity', 0.6597, 0.07727),
-  ('cabinet', 4, 'spread_length', -0.5207, 0.05204),
-  ('cabinet', 4, 'spread_width', -0.857, 0.258),
-  ('cabinet', 4, 'tilt_deg', 90.05, 0.5294),
-  ('cabinet', 4, 'width', -0.5558, 0.1725),
-  ('cabinet', 4, 'z_max', 0.7332, 0.1169),
-  ('cabinet', 4, 'z_min', -0.01302, 0.02252);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 5, 0.1188, '');
+  ('cabinet', 4, 'aspect', 0.7406, 0.3653),
+  ('cabinet', 4, 'behind', 0.2998, 0.1808),
+  ('cabinet', 4, 'corner_offset', 1.466, 0.5781),
+  ('cabinet', 4, 'edge_concave', 0.3065, 0.1909),
+  ('cabinet', 4, 'edge_convex', 0.08714, 0.1856),
+  ('cabinet', 4, 'edge_free', 0.5398, 0.1817),
+  ('cabinet', 4, 'edge_free_top', 0.9848, 0.03767),
+  ('cabinet', 4, 'edge_unseen', -0.004103, 0.03),
+  ('cabinet', 4, 'headroom', 0.8571, 0.3499),
+  ('cabinet', 4, 'height', 1.174, 0.2461),
+  ('cabinet', 4, 'lift', -0.03807, 0.025),
+  ('cabinet', 4, 'rectangularity', 0.8892, 0.08862),
+  ('cabinet', 4, 'spread_length', 0.3482, 0.3218),
+  ('cabinet', 4, 'spread_width', -0.4088, 0.2007),
+  ('cabinet', 4, 'standoff', 0.543, 0.07333),
+  ('cabinet', 4, 'tilt_deg', 90.06, 0.4503),
+  ('cabinet', 4, 'wall_offset', 0.5118, 0.05888),
+  ('cabinet', 4, 'width', -0.3339, 0.49),
+  ('cabinet', 4, 'z_max', 1.854, 0.1182),
+  ('cabinet', 4, 'z_min', 0.0101, 0.1031);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 5, 0.09142, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 5, 'area_m2', 0.01496, 0.1751),
-  ('cabinet', 5, 'aspect', 1.147, 0.193),
-  ('cabinet', 5, 'behind', 0.5022, 0.1581),
-  ('cabinet', 5, 'edge_free', 0.2452, 0.3499),
-  ('cabinet', 5, 'edge_free_top', 0.8477, 0.1616),
-  ('cabinet', 5, 'edge_joined', 0.4294, 0.3873),
-  ('cabinet', 5, 'edge_unseen', -0.0008822, 0.03),
-  ('cabinet', 5, 'height', 1.033, 0.1131),
-  ('cabinet', 5, 'length', 0.6522, 0.1037),
-  ('cabinet', 5, 'rectangularity', 0.8475, 0.07868),
-  ('cabinet', 5, 'spread_length', 0.5064, 0.07056),
-  ('cabinet', 5, 'spread_width', -0.698, 0.3611),
-  ('cabinet', 5, 'tilt_deg', 90.02, 1.242),
-  ('cabinet', 5, 'width', -0.4419, 0.1267),
-  ('cabinet', 5, 'z_max', 1.911, 0.1987),
-  ('cabinet', 5, 'z_min', 0.02217, 0.05663);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 6, 0.09614, '');
+  ('cabinet', 5, 'aspect', 0.6708, 0.2592),
+  ('cabinet', 5, 'behind', 0.6576, 0.08583),
+  ('cabinet', 5, 'corner_offset', 0.3012, 0.05427),
+  ('cabinet', 5, 'edge_concave', 0.5107, 0.1783),
+  ('cabinet', 5, 'edge_convex', 0.3063, 0.08082),
+  ('cabinet', 5, 'edge_free', 0.1458, 0.1247),
+  ('cabinet', 5, 'edge_free_top', 0.7489, 0.08883),
+  ('cabinet', 5, 'edge_unseen', 0.0869, 0.1533),
+  ('cabinet', 5, 'headroom', 1.863, 0.282),
+  ('cabinet', 5, 'height', 0.9187, 0.1499),
+  ('cabinet', 5, 'lift', -0.04026, 0.025),
+  ('cabinet', 5, 'rectangularity', 0.6825, 0.08423),
+  ('cabinet', 5, 'spread_length', -0.2559, 0.3155),
+  ('cabinet', 5, 'spread_width', -0.6591, 0.09225),
+  ('cabinet', 5, 'standoff', 0.7395, 0.1056),
+  ('cabinet', 5, 'tilt_deg', -0.06632, 0.45),
+  ('cabinet', 5, 'wall_offset', 1.127, 0.2755),
+  ('cabinet', 5, 'width', -0.5485, 0.08891),
+  ('cabinet', 5, 'z_max', 0.9011, 0.1495),
+  ('cabinet', 5, 'z_min', 0.9255, 0.1466);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 6, 0.06343, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 6, 'area_m2', -0.8677, 0.3735),
-  ('cabinet', 6, 'aspect', 0.6741, 0.2759),
-  ('cabinet', 6, 'behind', 0.688, 0.1069),
-  ('cabinet', 6, 'edge_free', 0.1536, 0.1217),
-  ('cabinet', 6, 'edge_free_top', 0.7428, 0.1028),
-  ('cabinet', 6, 'edge_joined', 0.7745, 0.12),
-  ('cabinet', 6, 'edge_unseen', 0.07421, 0.1479),
-  ('cabinet', 6, 'height', 0.9294, 0.1547),
-  ('cabinet', 6, 'length', 0.06619, 0.3296),
-  ('cabinet', 6, 'rectangularity', 0.7011, 0.08115),
-  ('cabinet', 6, 'spread_length', -0.2236, 0.306),
-  ('cabinet', 6, 'spread_width', -0.6496, 0.1166),
-  ('cabinet', 6, 'tilt_deg', -0.01604, 0.45),
-  ('cabinet', 6, 'width', -0.5518, 0.0929),
-  ('cabinet', 6, 'z_max', 0.9163, 0.1559),
-  ('cabinet', 6, 'z_min', 0.9351, 0.1561);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 7, 0.1161, '');
+  ('cabinet', 6, 'aspect', 0.5104, 0.3614),
+  ('cabinet', 6, 'behind', 0.6154, 0.08668),
+  ('cabinet', 6, 'corner_offset', 1.672, 0.764),
+  ('cabinet', 6, 'edge_concave', 0.4202, 0.2341),
+  ('cabinet', 6, 'edge_convex', 0.206, 0.1267),
+  ('cabinet', 6, 'edge_free', 0.1455, 0.1903),
+  ('cabinet', 6, 'edge_free_top', 0.3999, 0.4099),
+  ('cabinet', 6, 'edge_unseen', -0.001382, 0.03),
+  ('cabinet', 6, 'headroom', 0.1146, 0.3511),
+  ('cabinet', 6, 'height', 0.3324, 0.03563),
+  ('cabinet', 6, 'lift', -0.02876, 0.02511),
+  ('cabinet', 6, 'rectangularity', 0.6748, 0.08972),
+  ('cabinet', 6, 'spread_length', -0.5235, 0.05104),
+  ('cabinet', 6, 'spread_width', -0.984, 0.2743),
+  ('cabinet', 6, 'standoff', 0.8726, 0.1443),
+  ('cabinet', 6, 'tilt_deg', 90.05, 0.4501),
+  ('cabinet', 6, 'wall_offset', 1.508, 0.9939),
+  ('cabinet', 6, 'width', -0.5415, 0.04326),
+  ('cabinet', 6, 'z_max', 0.6831, 0.06484),
+  ('cabinet', 6, 'z_min', -0.0213, 0.02254);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 7, 0.1025, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 7, 'area_m2', 0.4559, 0.2279),
-  ('cabinet', 7, 'aspect', 0.6361, 0.298),
-  ('cabinet', 7, 'behind', 0.2339, 0.07738),
-  ('cabinet', 7, 'edge_free', 0.5385, 0.1793),
-  ('cabinet', 7, 'edge_free_top', 0.9792, 0.03934),
-  ('cabinet', 7, 'edge_joined', 0.04376, 0.06369),
-  ('cabinet', 7, 'edge_unseen', 0.002564, 0.03),
-  ('cabinet', 7, 'height', 1.063, 0.1334),
-  ('cabinet', 7, 'length', 0.61, 0.08513),
-  ('cabinet', 7, 'rectangularity', 0.8851, 0.0893),
-  ('cabinet', 7, 'spread_length', 0.5015, 0.2212),
-  ('cabinet', 7, 'spread_width', -0.2317, 0.1742),
-  ('cabinet', 7, 'tilt_deg', 90.15, 0.9791),
-  ('cabinet', 7, 'width', -0.06376, 0.197),
-  ('cabinet', 7, 'z_max', 1.866, 0.1193),
-  ('cabinet', 7, 'z_min', 0.003259, 0.07036);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 8, 0.05966, '');
+  ('cabinet', 7, 'aspect', 0.5521, 0.3322),
+  ('cabinet', 7, 'behind', 0.419, 0.1835),
+  ('cabinet', 7, 'corner_offset', 1.538, 0.7826),
+  ('cabinet', 7, 'edge_concave', 0.286, 0.2961),
+  ('cabinet', 7, 'edge_convex', 0.2167, 0.2014),
+  ('cabinet', 7, 'edge_free', 0.4947, 0.2906),
+  ('cabinet', 7, 'edge_free_top', 0.9756, 0.03707),
+  ('cabinet', 7, 'edge_unseen', 0.09903, 0.2089),
+  ('cabinet', 7, 'headroom', 0.5321, 0.7417),
+  ('cabinet', 7, 'height', 0.6946, 0.1407),
+  ('cabinet', 7, 'lift', -0.04127, 0.025),
+  ('cabinet', 7, 'rectangularity', 0.7881, 0.1605),
+  ('cabinet', 7, 'spread_length', -0.09988, 0.2185),
+  ('cabinet', 7, 'spread_width', -0.3996, 0.5047),
+  ('cabinet', 7, 'standoff', 0.5504, 0.09146),
+  ('cabinet', 7, 'tilt_deg', 90.09, 0.45),
+  ('cabinet', 7, 'wall_offset', 0.5078, 0.05758),
+  ('cabinet', 7, 'width', -0.3398, 0.3751),
+  ('cabinet', 7, 'z_max', 0.9969, 0.1277),
+  ('cabinet', 7, 'z_min', 0.0001529, 0.03025);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 8, 0.07401, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 8, 'area_m2', -2.173, 0.7495),
-  ('cabinet', 8, 'aspect', 0.8025, 0.7423),
-  ('cabinet', 8, 'behind', 0.5029, 0.2566),
-  ('cabinet', 8, 'edge_free', 0.07897, 0.129),
-  ('cabinet', 8, 'edge_free_top', 0.2293, 0.3478),
-  ('cabinet', 8, 'edge_joined', 0.1281, 0.1446),
-  ('cabinet', 8, 'edge_unseen', 0.005541, 0.03),
-  ('cabinet', 8, 'height', 0.3294, 0.2087),
-  ('cabinet', 8, 'length', -0.4523, 0.3986),
-  ('cabinet', 8, 'rectangularity', 0.6812, 0.0924),
-  ('cabinet', 8, 'spread_length', -0.4611, 0.4343),
-  ('cabinet', 8, 'spread_width', -1.634, 0.2712),
-  ('cabinet', 8, 'tilt_deg', 89.72, 1.021),
-  ('cabinet', 8, 'width', -1.345, 0.3791),
-  ('cabinet', 8, 'z_max', 0.6437, 0.3152),
-  ('cabinet', 8, 'z_min', 0.07999, 0.1602);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 9, 0.04528, '');
+  ('cabinet', 8, 'aspect', 0.4482, 0.1962),
+  ('cabinet', 8, 'behind', 0.6339, 0.1267),
+  ('cabinet', 8, 'corner_offset', 0.3029, 0.04173),
+  ('cabinet', 8, 'edge_concave', 0.9116, 0.07453),
+  ('cabinet', 8, 'edge_convex', 0.09242, 0.1769),
+  ('cabinet', 8, 'edge_free', 0.2106, 0.07945),
+  ('cabinet', 8, 'edge_free_top', 0.8082, 0.1404),
+  ('cabinet', 8, 'edge_unseen', 0.003545, 0.03115),
+  ('cabinet', 8, 'headroom', 0.779, 0.8588),
+  ('cabinet', 8, 'height', 0.6149, 0.1115),
+  ('cabinet', 8, 'lift', -0.03229, 0.02501),
+  ('cabinet', 8, 'rectangularity', 0.8136, 0.1391),
+  ('cabinet', 8, 'spread_length', -0.1534, 0.1979),
+  ('cabinet', 8, 'spread_width', -0.7359, 0.1361),
+  ('cabinet', 8, 'standoff', 1.061, 0.3845),
+  ('cabinet', 8, 'tilt_deg', 90.04, 0.4502),
+  ('cabinet', 8, 'wall_offset', 1.367, 0.5968),
+  ('cabinet', 8, 'width', -0.5314, 0.09628),
+  ('cabinet', 8, 'z_max', 1.125, 0.1637),
+  ('cabinet', 8, 'z_min', 0.00622, 0.03055);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 9, 0.04131, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 9, 'area_m2', -2.739, 0.5792),
-  ('cabinet', 9, 'aspect', 0.6896, 0.506),
-  ('cabinet', 9, 'behind', 0.3156, 0.2436),
-  ('cabinet', 9, 'edge_free', 0.4558, 0.3658),
-  ('cabinet', 9, 'edge_free_top', 0.6684, 0.3571),
-  ('cabinet', 9, 'edge_joined', 0.2435, 0.231),
-  ('cabinet', 9, 'edge_unseen', 0.3369, 0.1313),
-  ('cabinet', 9, 'height', 0.7477, 0.2694),
-  ('cabinet', 9, 'length', -0.8008, 0.3848),
-  ('cabinet', 9, 'rectangularity', 0.5843, 0.06642),
-  ('cabinet', 9, 'spread_length', -0.7551, 0.1256),
-  ('cabinet', 9, 'spread_width', -1.799, 0.3073),
-  ('cabinet', 9, 'tilt_deg', 67.91, 46.51),
-  ('cabinet', 9, 'width', -1.498, 0.3527),
-  ('cabinet', 9, 'z_max', 0.8661, 0.1656),
-  ('cabinet', 9, 'z_min', 0.5689, 0.4205);
-INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 10, 0.03751, '');
+  ('cabinet', 9, 'aspect', 0.662, 0.3485),
+  ('cabinet', 9, 'behind', 0.7547, 0.1692),
+  ('cabinet', 9, 'corner_offset', 0.9102, 0.1794),
+  ('cabinet', 9, 'edge_concave', 0.5164, 0.1301),
+  ('cabinet', 9, 'edge_convex', 0.1855, 0.2125),
+  ('cabinet', 9, 'edge_free', 0.2469, 0.178),
+  ('cabinet', 9, 'edge_free_top', 0.7427, 0.1031),
+  ('cabinet', 9, 'edge_unseen', 0.02617, 0.07468),
+  ('cabinet', 9, 'headroom', 0.1708, 0.04849),
+  ('cabinet', 9, 'height', 0.5855, 0.0225),
+  ('cabinet', 9, 'lift', 0.05317, 0.03838),
+  ('cabinet', 9, 'rectangularity', 0.6848, 0.0906),
+  ('cabinet', 9, 'spread_length', -0.7421, 0.1672),
+  ('cabinet', 9, 'spread_width', -1.472, 0.4247),
+  ('cabinet', 9, 'standoff', 0.7396, 0.1126),
+  ('cabinet', 9, 'tilt_deg', 0.8347, 1.289),
+  ('cabinet', 9, 'wall_offset', 1.163, 0.3085),
+  ('cabinet', 9, 'width', -1.25, 0.5047),
+  ('cabinet', 9, 'z_max', 0.5842, 0.0225),
+  ('cabinet', 9, 'z_min', 0.5844, 0.0225);
+INSERT INTO class_kind (class, kind, share, description) VALUES ('cabinet', 10, 0.04007, '');
 INSERT INTO kind_feature (class, kind, feature, mean, sigma) VALUES
-  ('cabinet', 10, 'area_m2', -2.225, 0.5675),
-  ('cabinet', 10, 'aspect', 0.6297, 0.2814),
-  ('cabinet', 10, 'behind', 0.7281, 0.1651),
-  ('cabinet', 10, 'edge_free', 0.2448, 0.1651),
-  ('cabinet', 10, 'edge_free_top', 0.7429, 0.1035),
-  ('cabinet', 10, 'edge_joined', 0.2301, 0.09682),
-  ('cabinet', 10, 'edge_unseen', 0.0063, 0.03796),
-  ('cabinet', 10, 'height', 0.5825, 0.0225),
-  ('cabinet', 10, 'length', -0.6265, 0.1835),
-  ('cabinet', 10, 'rectangularity', 0.7128, 0.07629),
-  ('cabinet', 10, 'spread_length', -0.8751, 0.197),
-  ('cabinet', 10, 'spread_width', -1.515, 0.4775),
-  ('cabinet', 10, 'tilt_deg', 1.293, 2.23),
-  ('cabinet', 10, 'width', -1.294, 0.572),
-  ('cabinet', 10, 'z_max', 0.585, 0.0225),
-  ('cabinet', 10, 'z_min', 0.5788, 0.0225);
+  ('cabinet', 10, 'aspect', 1.108, 0.7848),
+  ('cabinet', 10, 'behind', 0.394, 0.2879),
+  ('cabinet', 10, 'corner_offset', 1.033, 0.7358),
+  ('cabinet', 10, 'edge_concave', 0.2478, 0.2091),
+  ('cabinet', 10, 'edge_convex', 0.07123, 0.1212),
+  ('cabinet', 10, 'edge_free', 0.0652, 0.1134),
+  ('cabinet', 10, 'edge_free_top', 0.0009039, 0.03),
+  ('cabinet', 10, 'edge_unseen', 0.0009518, 0.03),
+  ('cabinet', 10, 'headroom', 1.821, 0.6966),
+  ('cabinet', 10, 'height', 0.2827, 0.2166),
+  ('cabinet', 10, 'lift', -0.03332, 0.025),
+  ('cabinet', 10, 'rectangularity', 0.7287, 0.1567),
+  ('cabinet', 10, 'spread_length', -0.2382, 0.4341),
+  ('cabinet', 10, 'spread_width', -1.68, 0.3988),
+  ('cabinet', 10, 'standoff', 0.506, 0.4797),
+  ('cabinet', 10, 'tilt_deg', 89.58, 0.9249),
+  ('cabinet', 10, 'wall_offset', 1.045, 0.3344),
+  ('cabinet', 10, 'width', -1.414, 0.346),
+  ('cabinet', 10, 'z_max', 0.6446, 0.5769),
+  ('cabinet', 10, 'z_min', -0.01714, 0.02394);
 
 -- Weights of features, priors of classes and weights of constraint rows: most likely classes given all others.
-UPDATE feature SET weight = 0 WHERE name = 'area_m2';
-UPDATE feature SET weight = 0.398 WHERE name = 'aspect';
-UPDATE feature SET weight = 0.499 WHERE name = 'behind';
-UPDATE feature SET weight = 0.465 WHERE name = 'edge_free';
-UPDATE feature SET weight = 0.259 WHERE name = 'edge_free_top';
-UPDATE feature SET weight = 0.191 WHERE name = 'edge_joined';
-UPDATE feature SET weight = 0.277 WHERE name = 'edge_unseen';
-UPDATE feature SET weight = 0.214 WHERE name = 'height';
-UPDATE feature SET weight = 0 WHERE name = 'length';
-UPDATE feature SET weight = 0.5 WHERE name = 'rectangularity';
-UPDATE feature SET weight = 0.362 WHERE name = 'spread_length';
-UPDATE feature SET weight = 0.236 WHERE name = 'spread_width';
+UPDATE feature SET weight = 0.4 WHERE name = 'aspect';
+UPDATE feature SET weight = 0.4 WHERE name = 'behind';
+UPDATE feature SET weight = 0.4 WHERE name = 'corner_offset';
+UPDATE feature SET weight = 0.4 WHERE name = 'edge_concave';
+UPDATE feature SET weight = 0.2 WHERE name = 'edge_convex';
+UPDATE feature SET weight = 0.4 WHERE name = 'edge_free';
+UPDATE feature SET weight = 0.2 WHERE name = 'edge_free_top';
+UPDATE feature SET weight = 0.2 WHERE name = 'edge_unseen';
+UPDATE feature SET weight = 0.4 WHERE name = 'headroom';
+UPDATE feature SET weight = 0.4 WHERE name = 'height';
+UPDATE feature SET weight = 0.4 WHERE name = 'rectangularity';
+UPDATE feature SET weight = 0.3 WHERE name = 'spread_length';
+UPDATE feature SET weight = 0.2 WHERE name = 'spread_width';
 UPDATE feature SET weight = 0.5 WHERE name = 'tilt_deg';
-UPDATE feature SET weight = 0.304 WHERE name = 'width';
-UPDATE feature SET weight = 0.497 WHERE name = 'z_max';
-UPDATE feature SET weight = 0.421 WHERE name = 'z_min';
-UPDATE object_class SET prior = 0.172 WHERE name = 'unknown';
-UPDATE object_class SET prior = 0.0469 WHERE name = 'floor';
-UPDATE object_class SET prior = 0.0363 WHERE name = 'ceiling';
-UPDATE object_class SET prior = 0.181 WHERE name = 'wall';
-UPDATE object_class SET prior = 0.0157 WHERE name = 'table';
-UPDATE object_class SET prior = 0.0261 WHERE name = 'flat_screen';
-UPDATE object_class SET prior = 0.211 WHERE name = 'keyboard';
-UPDATE object_class SET prior = 0.00274 WHERE name = 'chair_seat';
-UPDATE object_class SET prior = 0.0533 WHERE name = 'chair_back';
-UPDATE object_class SET prior = 0.0112 WHERE name = 'door';
-UPDATE object_class SET prior = 0.0269 WHERE name = 'window';
-UPDATE object_class SET prior = 0.00618 WHERE name = 'whiteboard';
-UPDATE object_class SET prior = 0.089 WHERE name = 'shelf';
-UPDATE object_class SET prior = 0.122 WHERE name = 'cabinet';
-UPDATE class_constraint SET weight = 2.67 WHERE name = 'some_floor';
-UPDATE class_constraint SET weight = 0.328 WHERE name = 'one_ceiling_level';
-UPDATE class_constraint SET weight = 1.39 WHERE name = 'one_floor_level';
-UPDATE class_constraint SET weight = 3.67 WHERE name = 'floor_lowest';
-UPDATE class_constraint SET weight = 2.99 WHERE name = 'ceiling_highest';
+UPDATE feature SET weight = 0.2 WHERE name = 'width';
+UPDATE feature SET weight = 0.4 WHERE name = 'z_max';
+UPDATE feature SET weight = 0.4 WHERE name = 'z_min';
+UPDATE object_class SET prior = 0.144 WHERE name = 'unknown';
+UPDATE object_class SET prior = 0.0458 WHERE name = 'floor';
+UPDATE object_class SET prior = 0.0843 WHERE name = 'ceiling';
+UPDATE object_class SET prior = 0.273 WHERE name = 'wall';
+UPDATE object_class SET prior = 0.017 WHERE name = 'table';
+UPDATE object_class SET prior = 0.0213 WHERE name = 'flat_screen';
+UPDATE object_class SET prior = 0.0963 WHERE name = 'keyboard';
+UPDATE object_class SET prior = 0.00394 WHERE name = 'chair_seat';
+UPDATE object_class SET prior = 0.0443 WHERE name = 'chair_back';
+UPDATE object_class SET prior = 0.0204 WHERE name = 'door';
+UPDATE object_class SET prior = 0.0276 WHERE name = 'window';
+UPDATE object_class SET prior = 0.00946 WHERE name = 'whiteboard';
+UPDATE object_class SET prior = 0.0667 WHERE name = 'shelf';
+UPDATE object_class SET prior = 0.146 WHERE name = 'cabinet';
+UPDATE class_constraint SET weight = 2.96 WHERE name = 'some_floor';
+UPDATE class_constraint SET weight = 0.564 WHERE name = 'one_ceiling_level';
+UPDATE class_constraint SET weight = 1.44 WHERE name = 'one_floor_level';
+UPDATE class_constraint SET weight = 3.75 WHERE name = 'floor_lowest';
+UPDATE class_constraint SET weight = 3.21 WHERE name = 'ceiling_highest';
 UPDATE class_constraint SET weight = 2.52 WHERE name = 'ceiling_over_floor';
-UPDATE class_constraint SET weight = 0.098 WHERE name = 'wall_upright';
-UPDATE class_constraint SET weight = 1.38 WHERE name = 'wall_meets_ceiling';
+UPDATE class_constraint SET weight = 0.0552 WHERE name = 'wall_upright';
+UPDATE class_constraint SET weight = 1.23 WHERE name = 'wall_meets_ceiling';
 UPDATE class_constraint SET weight = 0.01 WHERE name = 'wall_beside_wall';
-UPDATE class_constraint SET weight = 0.921 WHERE name = 'wall_at_corner';
-UPDATE class_constraint SET weight = 0.463 WHERE name = 'wall_in_one_plane';
-UPDATE class_constraint SET weight = 1.05 WHERE name = 'cabinet_off_wall';
-UPDATE class_constraint SET weight = 1.27 WHERE name = 'window_off_wall';
-UPDATE class_constraint SET weight = 2.19 WHERE name = 'table_level';
-UPDATE class_constraint SET weight = 2.13 WHERE name = 'table_clear_above';
-UPDATE class_constraint SET weight = 1.57 WHERE name = 'screen_over_table';
-UPDATE class_constraint SET weight = 0.521 WHERE name = 'screen_upright';
-UPDATE class_constraint SET weight = 0.354 WHERE name = 'screen_within_table';
-UPDATE class_constraint SET weight = 1.5 WHERE name = 'keyboard_on_table';
+UPDATE class_constraint SET weight = 0.647 WHERE name = 'wall_at_corner';
+UPDATE class_constraint SET weight = 0.741 WHERE name = 'wall_in_one_plane';
+UPDATE class_constraint SET weight = 0.821 WHERE name = 'cabinet_off_wall';
+UPDATE class_constraint SET weight = 0.857 WHERE name = 'window_off_wall';
+UPDATE class_constraint SET weight = 2.17 WHERE name = 'table_level';
+UPDATE class_constraint SET weight = 1.9 WHERE name = 'table_clear_above';
+UPDATE class_constraint SET weight = 0.878 WHERE name = 'screen_over_table';
+UPDATE class_constraint SET weight = 0.584 WHERE name = 'screen_upright';
+UPDATE class_constraint SET weight = 0.69 WHERE name = 'screen_within_table';
+UPDATE class_constraint SET weight = 1.31 WHERE name = 'keyboard_on_table';
 UPDATE class_constraint SET weight = 0.01 WHERE name = 'keyboard_level';
-UPDATE class_constraint SET weight = 3.3 WHERE name = 'keyboard_before_screen';
-UPDATE class_constraint SET weight = 4.06 WHERE name = 'keyboard_not_beneath';
-UPDATE class_constraint SET weight = 1.38 WHERE name = 'keyboards_apart';
-UPDATE class_constraint SET weight = 0.01 WHERE name = 'screen_off_wall';
-UPDATE class_constraint SET weight = 0.897 WHERE name = 'seat_level';
-UPDATE class_constraint SET weight = 3.02 WHERE name = 'seat_not_on_table';
-UPDATE class_constraint SET weight = 1.36 WHERE name = 'back_near_seat';
-UPDATE class_constraint SET weight = 0.958 WHERE name = 'back_not_on_table';
-UPDATE class_constraint SET weight = 2.09 WHERE name = 'door_upright';
-UPDATE class_constraint SET weight = 2.41 WHERE name = 'door_in_wall';
-UPDATE class_constraint SET weight = 3.74 WHERE name = 'window_in_wall';
-UPDATE class_constraint SET weight = 1.42 WHERE name = 'window_along_wall';
-UPDATE class_constraint SET weight = 1.91 WHERE name = 'whiteboard_on_wall';
+UPDATE class_constraint SET weight = 3.07 WHERE name = 'keyboard_before_screen';
+UPDATE class_constraint SET weight = 4.32 WHERE name = 'keyboard_not_beneath';
+UPDATE class_constraint SET weight = 1.29 WHERE name = 'keyboards_apart';
+UPDATE class_constraint SET weight = 0.0802 WHERE name = 'screen_off_wall';
+UPDATE class_constraint SET weight = 0.876 WHERE name = 'seat_level';
+UPDATE class_constraint SET weight = 3.01 WHERE name = 'seat_not_on_table';
+UPDATE class_constraint SET weight = 0.929 WHERE name = 'back_near_seat';
+UPDATE class_constraint SET weight = 0.622 WHERE name = 'back_not_on_table';
+UPDATE class_constraint SET weight = 2.2 WHERE name = 'door_upright';
+UPDATE class_constraint SET weight = 2.21 WHERE name = 'door_in_wall';
+UPDATE class_constraint SET weight = 2.98 WHERE name = 'window_in_wall';
+UPDATE class_constraint SET weight = 1.44 WHERE name = 'window_along_wall';
+UPDATE class_constraint SET weight = 1.57 WHERE name = 'whiteboard_on_wall';
 UPDATE class_constraint SET weight = 0.01 WHERE name = 'whiteboard_along_wall';
-UPDATE class_constraint SET weight = 1.23 WHERE name = 'shelf_not_on_table';
-UPDATE class_constraint SET weight = 1.87 WHERE name = 'shelf_near_shelf';
-UPDATE class_constraint SET weight = 1.73 WHERE name = 'cabinet_of_faces';
-UPDATE class_constraint SET weight = 0.171 WHERE name = 'cabinet_near_wall';
-UPDATE class_constraint SET weight = 1.24 WHERE name = 'cabinet_not_on_table';
+UPDATE class_constraint SET weight = 1.08 WHERE name = 'shelf_not_on_table';
+UPDATE class_constraint SET weight = 1.72 WHERE name = 'shelf_near_shelf';
+UPDATE class_constraint SET weight = 1.66 WHERE name = 'cabinet_of_faces';
+UPDATE class_constraint SET weight = 0.164 WHERE name = 'cabinet_near_wall';
+UPDATE class_constraint SET weight = 1.43 WHERE name = 'cabinet_not_on_table';
 
 -- Scale of told probabilities: 2405 planes of 48 paper-like rooms, seeds from 8001, half of them at 2 cm.
-UPDATE setting SET value = '0.866' WHERE key = 'probability_slope';
-UPDATE setting SET value = '0.213' WHERE key = 'probability_offset';
+UPDATE setting SET value = '0.896' WHERE key = 'probability_slope';
+UPDATE setting SET value = '0.068' WHERE key = 'probability_offset';
