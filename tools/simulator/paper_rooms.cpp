@@ -1,6 +1,7 @@
 // Six rooms with as many tables, screens and keyboards as the paper's.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "simulator/random.hpp"
 #include "simulator/simulate.hpp"
@@ -10,24 +11,34 @@ namespace {
 
 constexpr int kRooms = 6, kTables = 12, kScreens = 9, kKeyboards = 7;
 
-std::array<Inventory, kRooms> spread(Random& random) {
-  std::array<Inventory, kRooms> rooms;
+using Rooms = std::array<Inventory, kRooms>;
+
+// Nothing where screens came to stand so that too few tables have room for keyboards, in one set of a thousand.
+std::optional<Rooms> try_to_spread(Random& random) {
+  Rooms rooms;
   for (Inventory& room : rooms) room.tables = 1;
   const auto any = [&]() -> Inventory& { return rooms[static_cast<std::size_t>(random.integer(0, kRooms - 1))]; };
   const auto deal = [&](int count, int Inventory::*what, auto&& allowed) {
-    while (count > 0) {
+    while (count > 0 && std::any_of(rooms.begin(), rooms.end(), allowed)) {
       Inventory& room = any();
       if (!allowed(room)) continue;
       ++(room.*what);
       --count;
     }
+    return count == 0;
   };
   deal(kTables - kRooms, &Inventory::tables, [](const Inventory& room) { return room.tables < 3; });
   deal(kScreens, &Inventory::screens,
        [](const Inventory& room) { return room.screens < room.tables + (room.tables > 1 ? 1 : 0); });
-  deal(kKeyboards, &Inventory::keyboards,
-       [](const Inventory& room) { return room.keyboards < std::min(room.screens, room.tables); });
-  return rooms;
+  const bool all = deal(kKeyboards, &Inventory::keyboards,
+                        [](const Inventory& room) { return room.keyboards < std::min(room.screens, room.tables); });
+  return all ? std::optional(rooms) : std::nullopt;
+}
+
+Rooms spread(Random& random) {
+  while (true) {
+    if (const std::optional<Rooms> rooms = try_to_spread(random)) return *rooms;
+  }
 }
 
 // Whether every table, screen and keyboard is seen well enough to be asked for, judged by a scan of a quarter of the

@@ -6,7 +6,7 @@ namespace scenelore::simulator {
 namespace {
 
 TEST(PaperRooms, HoldTheNumbersOfThePaperAndShowEveryObject) {
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (const std::uint64_t seed : {1U, 2U, 9453U}) {  // of the last, screens come to stand at first where only six keyboards fit
     const std::vector<SimulationOptions> rooms = paper_rooms(seed);
     ASSERT_EQ(rooms.size(), 6U);
     int tables = 0, screens = 0, keyboards = 0;
