@@ -23,7 +23,7 @@ INSERT INTO feature (name, unit, scale, low, high, weight, description) VALUES
   ('edge_free_top',  '1',    'linear', 0,     1,    0.5, 'the same of its upper edge; unknown of level planes'),
   ('edge_joined',    '1',    'linear', 0,     1,    0.5, 'share of its outline along which another surface goes on in its plane'),
   ('edge_unseen',    '1',    'linear', 0,     1,    0.5, 'share of its outline beyond which nothing was measured: the view ends there'),
-  ('lift',           'm',    'linear', -1,    4,    0.5, 'lower edge over the level plane beneath its middle; unknown over the floor alone'),
+  ('lift',           'm',    'log',    0.005, 2.5,  0.5, 'lower edge over the level plane beneath its middle; unknown over the floor alone'),
   ('headroom',       'm',    'linear', -2,    4,    0.5, 'from its upper edge to the lowest level plane above its middle'),
   ('standoff',       'm',    'linear', -0.05, 1.5,  0.5, 'distance of what is upright from the nearest larger plane that it stands before'),
   ('wall_offset',    'm',    'linear', -2,    6,    0.5, 'how far its middle is before the plane through the nearest parallel wall'),
