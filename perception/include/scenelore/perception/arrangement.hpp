@@ -25,7 +25,7 @@ struct Arrangement {
   /// than 2 m². Below 0 behind a wall; where the wall's side is not known, the distance without a sign.
   double wall_offset = std::numeric_limits<double>::quiet_NaN(), corner_offset = std::numeric_limits<double>::quiet_NaN();
   /// Shares of the outline along which a surface at 53 degrees or more to it comes forward (as the wall at the edge of a floor: concave)
-  /// or goes back (as the front of a cabinet at the edge of its top: convex), as in Stein et al. 2014, section 3.1. Not known of what
+  /// or goes back (as the front of a cabinet at the edge of its top: convex); after Stein et al. 2014, whose patches join where convex. Not known of what
   /// is not level where the sensor's side is not.
   double edge_concave = std::numeric_limits<double>::quiet_NaN(), edge_convex = std::numeric_limits<double>::quiet_NaN();
 };
