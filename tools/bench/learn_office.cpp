@@ -90,6 +90,8 @@ std::vector<simulator::SimulationOptions> varied_rooms(std::uint64_t first, int 
 /// seeds from 9101 on.
 constexpr double kMostOfFeature = 0.5;
 
+/// Weights are whole multiples of it, so that many features share one: their densities are then multiplied before the logarithm is taken
+/// (kb/src/mixture.cpp).
 constexpr double kWeightStep = 0.1;
 
 /// How firmly kinds hold on to what their class looks like while they are moved to where they tell classes apart. On the rooms that weights are
@@ -227,7 +229,6 @@ int main(int argc, char** argv) {
   knowledge = base.knowledge();
   learned = rules::learn_weights(kb::with_rows(weighted, rows), examples, {.most_of_feature = kMostOfFeature});
   fmt::print(stderr, "mean log-likelihood {:.4f}\n", learned.log_likelihood.back());
-  // Features of one weight are judged faster than others (mixture.cpp).
   for (double& weight : learned.features) weight = std::round(weight / kWeightStep) * kWeightStep;
   const std::string weights_sql = rules::to_sql(knowledge, learned);
   base.apply_knowledge(weights_sql, "learned weights");
