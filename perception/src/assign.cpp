@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include "parallel.hpp"
+#include "scenelore/perception/parallel.hpp"
 #include "slots.hpp"
 
 namespace scenelore::perception {

@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "bytes.hpp"
-#include "parallel.hpp"
 #include "rows_to_cloud.hpp"
 #include "scenelore/perception/error.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

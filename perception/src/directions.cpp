@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "parallel.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

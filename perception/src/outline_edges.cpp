@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "directions.hpp"
-#include "parallel.hpp"
 #include "point_hash.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

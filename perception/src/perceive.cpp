@@ -6,9 +6,9 @@
 #include "find_regions.hpp"
 #include "limits.hpp"
 #include "outline_edges.hpp"
-#include "parallel.hpp"
 #include "scenelore/perception/error.hpp"
 #include "scenelore/perception/features.hpp"
+#include "scenelore/perception/parallel.hpp"
 #include "surroundings.hpp"
 #include "words.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "cell_index.hpp"
 #include "connect.hpp"
-#include "parallel.hpp"
+#include "scenelore/perception/parallel.hpp"
 #include "voxel_parts.hpp"
 
 namespace scenelore::perception {

@@ -1,7 +1,7 @@
 #include "sample.hpp"
 
-#include "parallel.hpp"
 #include "point_hash.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

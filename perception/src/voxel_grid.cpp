@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "parallel.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace scenelore::perception {
 
 /// Calls work(begin, end) for consecutive pieces of [0, count). Pieces may run at the same time and in any order: each
 /// may write only what belongs to its own range. The first exception is thrown again once all threads have ended.
+/// Threads that the system refuses are done without.
 template <typename Work>
 void parallel_pieces(std::size_t count, std::size_t piece, int threads, Work work) {
   const std::size_t pieces = (count + piece - 1) / piece;
@@ -35,7 +37,10 @@ void parallel_pieces(std::size_t count, std::size_t piece, int threads, Work wor
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < workers; ++i) others.emplace_back(run);
+    try {
+      for (std::size_t i = 1; i < workers; ++i) others.emplace_back(run);
+    } catch (const std::system_error&) {
+    }
     run();
   }
   if (error) std::rethrow_exception(error);
