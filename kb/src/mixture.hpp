@@ -16,28 +16,36 @@
 
 namespace scenelore::kb {
 
-/// A known value of a plane, as a class's mixture is asked about it.
+/// A known value of a plane, as the mixtures are asked about it.
 struct MixtureInput {
   std::size_t feature = 0;    ///< index as in the constructor's list
+  double value = 0;
   double scaled = 0;          ///< on the feature's scale
   double error = 0;           ///< standard error
   double weight = 1;          ///< F_i
-  double own = 0;             ///< ln p(x_i|C) by the class's own rows
 };
 
-/// Not safe for concurrent use: see blur_of.
-class Mixture {
+/// A class as a mixture.
+struct MixtureClass {
+  std::span<const ClassKind> kinds{};     ///< in the order of their numbers; may be none
+  std::vector<const Likelihood*> own{};   ///< by its own rows, one a feature
+  std::vector<double> factors{};          ///< of the kinds' shares, ≥ 0; empty = 1 each; the share of the class's own rows is not touched by them
+};
+
+/// The mixtures of all classes side by side, so that one pass over a feature serves them all. Safe for concurrent use.
+class Mixtures {
  public:
-  Mixture() = default;
-  /// `kinds`: of one class, in the order of their numbers. `features`: what MixtureInput::feature counts through. `factors`: of the
-  /// kinds' shares, ≥ 0; empty = 1 each. The share of the class's own rows is not touched by them.
-  Mixture(std::span<const ClassKind> kinds, std::span<const Feature* const> features, double outlier_share, std::span<const double> factors = {});
+  Mixtures() = default;
+  /// `features`: what MixtureInput::feature counts through. The classes' likelihoods must live as long.
+  Mixtures(std::span<const MixtureClass> classes, std::span<const Feature* const> features, double outlier_share);
 
-  [[nodiscard]] bool empty() const { return numbers_.empty(); }
-  /// (5) in logarithms.
-  [[nodiscard]] double log_density(std::span<const MixtureInput> inputs) const;
+  /// Whether any class has kinds.
+  [[nodiscard]] bool any_kinds() const { return numbers_.size() + 1 > starts_.size(); }
+  [[nodiscard]] bool has_kinds(std::size_t object_class) const { return starts_[object_class + 1] - starts_[object_class] > 1; }
+  /// (5) in logarithms, one a class. Inputs of one weight take less time next to each other.
+  [[nodiscard]] std::vector<double> log_densities(std::span<const MixtureInput> inputs) const;
 
-  /// A plane divided among the kinds.
+  /// A plane divided among the kinds of a class.
   struct Division {
     int likeliest = 0;                    ///< number of the kind with the greatest share; 0 = the class's own rows
     std::vector<double> means, sigmas;    ///< of that kind, one an input; NaN where it has no row
@@ -45,39 +53,44 @@ class Mixture {
     double usual = 0;                     ///< Σ r_k (ln s_k − ln r_k), r_k the shares: how usual these kinds are
   };
   /// ln p(Φ|C) = Σ_i F_i log_likelihoods[i] + usual.
-  [[nodiscard]] Division divide(std::span<const MixtureInput> inputs) const;
+  [[nodiscard]] Division divide(std::size_t object_class, std::span<const MixtureInput> inputs) const;
 
  private:
   using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
-  using Table = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // a row a feature or an input, a column a kind
+  using Table = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // a row a feature, a column a kind
 
-  /// ln p(x_i|k); the last column is the class's own rows.
-  [[nodiscard]] Table log_terms(std::span<const MixtureInput> inputs) const;
-  /// Logarithms of the summands of (5), in the order of the columns.
-  [[nodiscard]] Row log_summands(std::span<const MixtureInput> inputs, const Table& terms) const;
-  /// Of the value from each kind's mean; on circles from its nearest image.
-  [[nodiscard]] Row distances(const MixtureInput& input) const;
-  /// p(x_i|k); nonsense where a kind has no row.
-  [[nodiscard]] Row densities(const MixtureInput& input) const;
-
-  /// What a feature's Gaussians look like through errors of one size, by kind.
-  struct Blur {
-    double error = -1;
-    Row near, far;              ///< 2 w², w the width of usual and of odd values
-    Row near_peaks, far_peaks;  ///< factors of the two exponentials
-    Row log_peaks;              ///< logarithm of the former, where there are no odd values
+  /// Neighbouring columns.
+  struct Columns {
+    Eigen::Index first, count;
   };
-  /// Of the planes of a scan most have the same error, so the last one is kept.
-  const Blur& blur_of(Eigen::Index feature, double error) const;
+  /// A column that has no Gaussian for a feature, so that the class's own rows tell.
+  struct Untold {
+    Eigen::Index column;
+    const Likelihood* own;
+  };
 
-  std::vector<int> numbers_;
-  Row log_shares_;                                                    // then that of the class's own rows
-  Table means_, half_precisions_, inliers_, outliers_, log_inliers_;  // 1 / 2σ², factors of the two exponentials
-  Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> has_row_;
-  std::vector<double> uniforms_, turns_;                              // a feature; ε u / 2; 0 where the scale is no circle
-  std::vector<bool> all_rows_;                                        // a feature: whether every kind has one for it
-  bool bounded_ = false;                                              // odd values keep every density above 0
-  mutable std::vector<Blur> blurs_;                                   // a feature
+  /// The kinds of a class, the last of these columns its own rows.
+  [[nodiscard]] Columns of_class(std::size_t object_class) const;
+  /// Of the value from each mean, squared; on circles from its nearest image.
+  void put_squares(const MixtureInput& input, Columns columns, Row& out) const;
+  /// p(x_i|k); needs odd values, so that none is 0.
+  void put_densities(const MixtureInput& input, Columns columns, Row& out) const;
+  /// ln p(x_i|k).
+  void put_log_densities(const MixtureInput& input, Columns columns, Row& out) const;
+  /// Calls visit(column, ln p) for those of the columns, counted from the first of them, that the class's own rows tell.
+  template <typename Visit>
+  void for_each_untold(const MixtureInput& input, Columns columns, Visit visit) const;
+  /// Logarithms of the summands of (5) for all classes.
+  [[nodiscard]] Row log_summands(std::span<const MixtureInput> inputs) const;
+
+  std::vector<Eigen::Index> starts_;         // of each class's columns, then the end
+  std::vector<int> numbers_;                 // of the kinds; 0 = a class's own rows
+  Row log_shares_;
+  Table means_, sigmas_;                     // NaN and 1 where there is no row
+  Table exponents_, peaks_;                  // of Gaussians of four times the width: −1 / 2(4σ)²; of the narrow ones: 1 / σ√2π
+  std::vector<std::vector<Untold>> untold_;  // a feature; by column
+  std::vector<double> uniforms_, turns_;     // a feature; ε u / 2; 0 where the scale is no circle
+  double outlier_share_ = 0;
 };
 
 }  // namespace scenelore::kb

@@ -98,6 +98,38 @@ TEST(Kinds, HaveContributionsThatAddUpWithOddValuesErrorsAndFeaturesOfOneWeight)
   EXPECT_NEAR(preclassify(k, table)[0][1], 1 / (1 + std::exp(logs[0] - logs[1])), 1e-12);
 }
 
+TEST(Kinds, GiveTheSameBytesWithAnyNumberOfThreadsAndNeighbours) {
+  Knowledge k = two_kinds();
+  k.settings["outlier_share"] = "0.05";
+  FeatureTable all{{"height", "size"}, {}, {{"height", {}}}};
+  for (int i = 0; i < 100; ++i) {
+    all.values.push_back({0.04 * i, i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.1 + 0.05 * i});
+    all.errors["height"].push_back(0.03 * (i % 5));
+  }
+  const auto one = preclassify(k, all, 1);
+  for (const int threads : {2, 3, 64}) EXPECT_EQ(preclassify(k, all, threads), one) << threads;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const FeatureTable alone{all.names, {all.values[i]}, {{"height", {all.errors["height"][i]}}}};
+    EXPECT_EQ(preclassify(k, alone)[0], one[i]) << i;
+  }
+}
+
+TEST(Kinds, ThatAreTooFarAwayToMatterLeaveFiniteEvidence) {
+  Knowledge k = two_kinds();
+  k.settings["outlier_share"] = "0.1";
+  k.classes.push_back({2, "b", 1, "", "#000000", false});
+  k.class_features.push_back({"b", "height", 3.9, 0.6});
+  k.kinds[0].features[0].sigma = k.kinds[1].features[0].sigma = 1e-3;  // thousands of deviations
+  for (const double error : {0.0, 1e-4}) {
+    const FeatureTable table{{"height"}, {{3.9}}, {{"height", {error}}}};
+    const double odd = 0.05 * 0.25, sigma = std::hypot(0.6, error), tail = std::hypot(2.4, error);
+    const double own = 0.9 * normal(3.9, 1, sigma) + odd + 0.05 * normal(3.9, 1, tail), b = 0.9 * normal(3.9, 3.9, sigma) + odd + 0.05 * normal(3.9, 3.9, tail);
+    const double a = 0.2 * std::pow(own, 0.8) + 0.8 * std::pow(odd, 0.8);
+    const auto p = preclassify(k, table)[0];
+    EXPECT_NEAR(p[1] / p[2], a / std::pow(b, 0.8), 1e-12) << error;
+  }
+}
+
 // A class of two kinds is the fallback here; the others say nothing, or nothing about size.
 Knowledge kinds_of_the_unknown() {
   Knowledge k = two_kinds();

@@ -44,7 +44,8 @@ struct Contribution {
 /// odd values follow, half uniform and half the class's Gaussian at four times its width (likelihood.hpp, (1)). Outside all its bins a histogram counts as 1e-6 u. With
 /// `product` a value that has a standard error is judged by the class's density as it looks through errors of that size:
 /// p(x|C) = ∫ p(t|C) N(x; t, error²) dt. Features of weight 0, features that the table lacks and NaN values are left out. Without any known feature P(C|Φ) is the prior.
-[[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features);
+/// The result does not depend on `threads`.
+[[nodiscard]] std::vector<std::vector<double>> preclassify(const Knowledge& knowledge, const FeatureTable& features, int threads = 2);
 
 /// The terms behind one entry of preclassify, in the order of the knowledge's features; those left out are left out. Where any class
 /// has kinds, a term kKindTerm comes last (0 for classes without). The sum of weight · log_likelihood is ln P(Φ|C) of `product`.
