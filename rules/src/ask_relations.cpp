@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <span>
 #include <utility>
 
-#include "deadline.hpp"
+#include "ask_together.hpp"
 #include "kept_geometry.hpp"
 #include "loaded_rules.hpp"
 #include "relation_answer.hpp"
@@ -18,56 +17,30 @@ namespace scenelore::rules {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Pairs = std::vector<std::pair<int, int>>;
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Of a file that has been shown the scene: one degree a pair or, where the relation is not symmetric, two: forth and back.
-std::vector<double> degrees_of(RuleFile& file, const Pairs& pairs, const Deadline& deadline) {
-  constexpr std::size_t kQuestions = 64;  // between two looks at the clock
-  const bool symmetric = file.relation().symmetric;
-  const std::size_t at_once = symmetric ? kQuestions : kQuestions / 2;
-  std::vector<double> degrees;
-  degrees.reserve(2 * pairs.size());
-  Pairs both_ways;
-  for (std::size_t begin = 0; begin < pairs.size(); begin += at_once) {
-    deadline.check(static_cast<std::int64_t>(degrees.size()));
-    std::span<const std::pair<int, int>> asked = std::span(pairs).subspan(begin, std::min(at_once, pairs.size() - begin));
-    if (!symmetric) {
-      both_ways.clear();
-      for (const auto& [a, b] : asked) both_ways.insert(both_ways.end(), {{a, b}, {b, a}});
-      asked = both_ways;
-    }
-    degrees.resize(degrees.size() + asked.size());
-    file.degrees(asked, degrees.data() + degrees.size() - asked.size());
-  }
-  return degrees;
-}
-
 /// Asks relations about one scene, each once at most. All that it is given must live as long.
 class Questions {
  public:
-  Questions(LoadedRules& rules, const Scene& scene, const KnownAnswers& known)
-      : rules_(rules), scene_(scene), known_(known), digest_(rules.digest_of(scene)), geometry_(scene, digest_), shown_(scene) {}
+  Questions(LoadedRules& rules, const Scene& scene, const KnownAnswers& known, int threads)
+      : rules_(rules), scene_(scene), known_(known), threads_(threads), digest_(rules.digest_of(scene)), geometry_(scene, digest_), shown_(scene) {}
 
-  /// Stays where it is as long as this lives.
-  const RelationAnswer& answer(const std::string& name) {
-    const auto [entry, fresh] = answers_.try_emplace(name);
-    RelationAnswer& result = entry->second;
-    if (!fresh || take_known(name, result)) return result;
-    if (const std::optional<std::string> other = rules_.mirrored(name)) {
-      mirror(name, *other, result);
-    } else {
-      ask(name, result);
+  void ask_all(const std::set<std::string>& names) {
+    try {
+      for (const std::string& name : names) plan(name);
+    } catch (...) {
+      ask_planned();  // what they have to complain about comes first
+      throw;
     }
-    result.asked.stored = false;
-    result.asked.inputs_sha256 = rules_.inputs(name, digest_, result.asked.features);
-    sort_by_planes(result.found);
-    return result;
+    ask_planned();
+    for (const auto& [name, other] : mirrored_) mirror(name, other, answers_.at(name));
   }
 
+  /// Of a relation that was asked, or named by one.
+  [[nodiscard]] const RelationAnswer& answer(const std::string& name) const { return answers_.at(name); }
   /// Of the relations that a run before had not answered, by name.
   [[nodiscard]] std::vector<RelationCount> counts() const {
     std::vector<RelationCount> out = counts_;
@@ -78,6 +51,23 @@ class Questions {
   [[nodiscard]] kb::StoredGeometry geometry() const { return geometry_.kept(known_.geometry); }
 
  private:
+  /// Sees to it that a relation is answered once the planned ones have been asked. A user's file is asked at once, in its turn: what it asked of the
+  /// geometry, and what it may have to complain about, comes between that of the files before and after it.
+  void plan(const std::string& name) {
+    const auto [entry, fresh] = answers_.try_emplace(name);
+    if (!fresh || take_known(name, entry->second)) return;
+    if (const std::optional<std::string> other = rules_.mirrored(name)) {
+      plan(*other);
+      mirrored_.emplace_back(name, *other);
+      return;
+    }
+    const bool alone = !rules_.relation_entry(name).built_in;
+    if (alone) ask_planned();
+    const RelationInfo& info = rules_.relation(name).relation();
+    planned_.push_back({.name = name, .info = info, .pairs = &pairs_within(info.within, info.within_plan)});
+    if (alone) ask_alone(std::exchange(planned_, {}).front());
+  }
+
   /// The facts of a run before, where all that they depend on is as it was.
   bool take_known(const std::string& name, RelationAnswer& result) {
     const auto found = known_.facts.find(name);
@@ -95,20 +85,40 @@ class Questions {
     const RelationAnswer& there = answer(other);
     there.for_each([&](kb::PlaneId a, kb::PlaneId b, double degree) { result.found.push_back({b, a, degree}); });
     result.asked = there.asked;
-    counts_.push_back({.relation = name, .asked = there.asked.asked, .held = there.asked.held, .milliseconds = milliseconds_since(start)});
+    finish(name, result, milliseconds_since(start));
   }
 
-  void ask(const std::string& name, RelationAnswer& result) {
-    RuleFile& file = rules_.relation(name);
-    const RelationInfo& info = file.relation();
-    const Pairs& pairs = pairs_within(info.within, info.within_plan);
+  void ask_planned() {
+    if (planned_.empty()) return;
+    std::vector<AskedRelation> asked = std::exchange(planned_, {});
+    ask_together(rules_, scene_, geometry_.with(known_.geometry), asked, threads_);
+    for (const AskedRelation& relation : asked) take(relation);
+  }
+
+  void ask_alone(AskedRelation relation) {
+    RuleFile& file = rules_.relation(relation.name);
     shown_.show_to(file, geometry_.with(known_.geometry));
     const Clock::time_point start = Clock::now();
-    const std::vector<double> degrees = degrees_of(file, pairs, Deadline(file, rules_.budget()));
-    result.found = held_facts(scene_.ids, pairs, degrees);
-    result.asked = {.asked = static_cast<std::int64_t>(degrees.size()), .held = static_cast<std::int64_t>(result.found.size()),
-                    .within = info.within, .within_plan = info.within_plan, .features = file.features_read()};
-    counts_.push_back({.relation = file.name(), .asked = result.asked.asked, .held = result.asked.held, .milliseconds = milliseconds_since(start)});
+    relation.degrees.resize(relation.pairs->size() * relation.degrees_a_pair());
+    put_degrees(file, *relation.pairs, Deadline(file, rules_.budget()), 0, relation.degrees.data());
+    relation.milliseconds = milliseconds_since(start);
+    relation.features = file.host().features_read;
+    take(relation);
+  }
+
+  void take(const AskedRelation& relation) {
+    RelationAnswer& result = answers_.at(relation.name);
+    result.found = held_facts(scene_.ids, *relation.pairs, relation.degrees);
+    result.asked = {.asked = static_cast<std::int64_t>(relation.degrees.size()), .held = static_cast<std::int64_t>(result.found.size()),
+                    .within = relation.info.within, .within_plan = relation.info.within_plan, .features = lines_of(relation.features)};
+    finish(relation.name, result, relation.milliseconds);
+  }
+
+  void finish(const std::string& name, RelationAnswer& result, double milliseconds) {
+    counts_.push_back({.relation = name, .asked = result.asked.asked, .held = result.asked.held, .milliseconds = milliseconds});
+    result.asked.stored = false;
+    result.asked.inputs_sha256 = rules_.inputs(name, digest_, result.asked.features);
+    sort_by_planes(result.found);
   }
 
   const Pairs& pairs_within(double within, double within_plan) {
@@ -121,21 +131,25 @@ class Questions {
   LoadedRules& rules_;
   const Scene& scene_;
   const KnownAnswers& known_;
+  int threads_;
   SceneDigest digest_;
   KeptGeometry geometry_;
   ShownScene shown_;
   std::vector<Box3> boxes_;                           // made when a relation is asked
   std::map<std::pair<double, double>, Pairs> pairs_;  // by reach, which many relations share
-  std::map<std::string, RelationAnswer> answers_;     // by relation
+  std::map<std::string, RelationAnswer> answers_;     // by relation; empty until it was asked
+  std::vector<AskedRelation> planned_;                // built-in ones, in the order in which they are to be asked
+  std::vector<std::pair<std::string, std::string>> mirrored_;  // relations and those whose facts theirs are
   std::vector<RelationCount> counts_;
 };
 
 }  // namespace
 
-Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known) {
+Facts RuleSet::relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known, int threads) {
   Facts out;
-  Questions questions(*loaded_, scene, known);
+  Questions questions(*loaded_, scene, known, threads);
   const std::set<std::string> names(relations.begin(), relations.end());
+  questions.ask_all(names);
   std::size_t facts = 0;
   for (const std::string& name : names) facts += questions.answer(name).size();
   out.facts.reserve(facts);

@@ -8,10 +8,11 @@
 
 namespace scenelore::rules {
 
-/// Runs from when it is made. The file must live as long.
+/// Runs from when it is made; `spent` is the time that was used up before, in other threads perhaps. The file must live as long.
 class Deadline {
  public:
-  Deadline(const RuleFile& file, const Budget& budget) : file_(file), total_(budget.total) {}
+  Deadline(const RuleFile& file, const Budget& budget, std::chrono::nanoseconds spent = {})
+      : file_(file), total_(budget.total), start_(Clock::now() - spent) {}
 
   /// Throws Error that names the file and how many questions it was asked, when the time is over.
   void check(std::int64_t asked) const;
@@ -21,7 +22,7 @@ class Deadline {
 
   const RuleFile& file_;
   std::chrono::milliseconds total_;
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point start_;
 };
 
 }  // namespace scenelore::rules

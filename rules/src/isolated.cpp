@@ -121,13 +121,13 @@ RuleAnswers read_answers(Reader& in, std::size_t planes) {
 }  // namespace
 
 RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
-                   const KnownAnswers& known) {
+                   const KnownAnswers& known, int threads) {
   RuleAnswers out;
   out.features = rules.new_features(knowledge);
   KeptAnswers kept{known.rules};
   rules.compute_features(scene, scene.features, &kept);
   out.table = scene.features;
-  out.facts = rules.relate(scene, used_relations(knowledge, rules), known);
+  out.facts = rules.relate(scene, used_relations(knowledge, rules), known, threads);
   out.facts.constraints = rules.constraints(scene, knowledge, &out.facts.geometry, &kept);
   out.facts.answers = std::move(kept.now);
   out.hash = rules.hash();
@@ -140,7 +140,7 @@ RuleAnswers answer_isolated(const std::vector<std::filesystem::path>& directorie
   const std::string bytes = in_confined_process(limits, [&](Writer& out) {
     Scene own = scene;
     RuleSet rules = RuleSet::load(directories, budget, knowledge.settings);
-    write_answers(out, answer(rules, knowledge, own, known));
+    write_answers(out, answer(rules, knowledge, own, known, 1));
   });
   Reader in(bytes);
   return read_answers(in, scene.planes.size());

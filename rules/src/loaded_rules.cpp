@@ -1,5 +1,6 @@
 #include "loaded_rules.hpp"
 
+#include <cassert>
 #include <utility>
 
 #include "lua_files.hpp"
@@ -32,7 +33,7 @@ void LoadedRules::add_built_in(RuleSource source) {
   const std::size_t slash = source.shown.find_last_of('/');
   const std::string name = source.shown.substr(slash + 1, source.shown.size() - slash - 5);
   auto& entries = source.shown.starts_with("rules/relations/") ? relations_ : features_;
-  entries[name] = {std::move(source), nullptr};
+  entries[name] = {std::move(source), nullptr, true};
 }
 
 void LoadedRules::add(RuleSource source) {
@@ -60,6 +61,18 @@ RuleFile& LoadedRules::file(Entry& entry) {
   if (!built_in_) built_in_ = std::make_shared<RuleHost>(budget_, overrides_, Trust::program);
   entry.file = std::make_unique<RuleFile>(entry.source, built_in_);
   return *entry.file;
+}
+
+RuleFile& LoadedRules::relation(const std::string& name, std::size_t state) {
+  Entry& entry = relation_entry(name);
+  if (state == 0) return file(entry);
+  assert(entry.built_in);  // its state trusts it
+  BuiltIn& further = further_[state - 1];
+  std::unique_ptr<RuleFile>& copy = further.files[name];
+  if (copy) return *copy;
+  if (!further.host) further.host = std::make_shared<RuleHost>(budget_, overrides_, Trust::program);
+  copy = std::make_unique<RuleFile>(entry.source, further.host);
+  return *copy;
 }
 
 std::vector<std::string> LoadedRules::relation_names() const {

@@ -1,6 +1,7 @@
 // The rule files of a RuleSet: texts by name, each run when it is first needed.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ class LoadedRules {
   struct Entry {
     RuleSource source;
     std::unique_ptr<RuleFile> file;  // nullptr: a built-in one that was not needed yet
+    bool built_in = false;           // whatever its source is called
   };
   using Entries = std::map<std::string, Entry>;  // by name
 
@@ -43,6 +45,10 @@ class LoadedRules {
   /// Throws Error with "did you mean" for one that is not there.
   [[nodiscard]] Entry& relation_entry(const std::string& name);
   [[nodiscard]] RuleFile& relation(const std::string& name) { return file(relation_entry(name)); }
+  /// The relation in state number `state`, for one of several threads: 0 is the state that all others use, further ones have built-in files
+  /// only. Each state may be used by one thread at a time, after so many have been announced.
+  [[nodiscard]] RuleFile& relation(const std::string& name, std::size_t state);
+  void announce_states(std::size_t count) { further_.resize(std::max(count - 1, further_.size())); }
   /// The relation whose facts, the other way round, are those of this one; nothing where it answers for itself. Settings of its own
   /// make it do so.
   [[nodiscard]] std::optional<std::string> mirrored(const std::string& name);
@@ -55,12 +61,18 @@ class LoadedRules {
   [[nodiscard]] const std::string& hash();
 
  private:
+  struct BuiltIn {
+    std::shared_ptr<RuleHost> host;
+    std::map<std::string, std::unique_ptr<RuleFile>> files{};  // by name
+  };
+
   [[nodiscard]] std::string no_such_relation(const std::string& name) const;
 
   Budget budget_;
   std::map<std::string, Overrides> overrides_;  // by relation
   Entries relations_, features_, tuple_constraints_;
   std::shared_ptr<RuleHost> built_in_;  // made when a file needs it
+  std::vector<BuiltIn> further_;        // states for other threads
   SceneDigest::Last last_planes_;
   std::string hash_;  // once it was asked for
 };

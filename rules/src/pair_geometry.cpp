@@ -8,6 +8,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "scenelore/perception/parallel.hpp"
+
 namespace scenelore::rules {
 
 namespace {
@@ -20,6 +22,18 @@ struct Entry {
 static_assert(sizeof(Entry) == 32);
 
 }  // namespace
+
+void PairGeometry::grow() {
+  shapes_.resize(planes_->size());
+  known_.resize(planes_->size());
+}
+
+void PairGeometry::prepare(int threads) const {
+  constexpr std::size_t kPiece = 16;
+  perception::parallel_pieces(planes_->size(), kPiece, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) (void)shape(static_cast<int>(i));
+  });
+}
 
 const PlaneShape& PairGeometry::shape(int i) const {
   if (shapes_.size() < planes_->size()) shapes_.resize(planes_->size());
@@ -50,11 +64,13 @@ double PairGeometry::angle(int a, int b) const {
 /// The limits tell what must be known; what is found out is kept.
 template <typename Compute>
 double PairGeometry::known_or(const Key& key, const Limits& limits, Compute compute) {
-  Range& range = known_[key];
+  if (known_.size() < planes_->size()) grow();
+  Known& known = known_[static_cast<std::size_t>(std::min(key.a, key.b))];
+  Range& range = known.ranges[key];
   if (range.low == range.high) return limits(range.low);
   if (range.low >= limits.high) return limits.high;
   if (range.high <= limits.low) return limits.low;
-  has_news_ = true;
+  known.has_news = true;
   const double value = compute();
   if (value >= limits.high) {
     range.low = limits.high;
@@ -83,21 +99,26 @@ double PairGeometry::centroid_distance(int a, int b) const { return (shape(a).ce
 
 std::string PairGeometry::answers() const {
   std::vector<Entry> entries;
-  entries.reserve(known_.size());
-  for (const auto& [key, range] : known_) entries.push_back({key.a, key.b, key.reach, range.low, range.high});
+  for (const Known& known : known_) {
+    for (const auto& [key, range] : known.ranges) entries.push_back({key.a, key.b, key.reach, range.low, range.high});
+  }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& e, const Entry& f) { return std::tie(e.a, e.b, e.reach) < std::tie(f.a, f.b, f.reach); });
   return {reinterpret_cast<const char*>(entries.data()), entries.size() * sizeof(Entry)};
 }
 
 void PairGeometry::remember(std::string_view answers) {
-  known_.reserve(answers.size() / sizeof(Entry));
   for (; answers.size() >= sizeof(Entry); answers.remove_prefix(sizeof(Entry))) {
     Entry entry;
     std::memcpy(&entry, answers.data(), sizeof entry);
     const bool sane = entry.a >= 0 && entry.b >= 0 && entry.a < size() && entry.b < size() && entry.low >= 0 && entry.low <= entry.high;
-    if (sane) known_.try_emplace(Key{entry.a, entry.b, entry.reach}, Range{entry.low, entry.high});
+    if (!sane) continue;
+    known_[static_cast<std::size_t>(std::min(entry.a, entry.b))].ranges.try_emplace(Key{entry.a, entry.b, entry.reach}, Range{entry.low, entry.high});
   }
+}
+
+bool PairGeometry::has_news() const {
+  return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return known.has_news; });
 }
 
 bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) {

@@ -13,13 +13,16 @@
 
 namespace scenelore::rules {
 
-/// Indices are those of the planes given. Not safe for concurrent use, since answers are cached.
+/// Indices are those of the planes given. Answers are cached: threads may ask at the same time, once all shapes are prepared, as long as no two
+/// of them ask about pairs with the same smaller index.
 class PairGeometry {
  public:
   /// The planes must live as long as they are asked about; a shape is prepared when it is first needed.
-  explicit PairGeometry(const std::vector<perception::Plane>& planes) : planes_(&planes) {}
+  explicit PairGeometry(const std::vector<perception::Plane>& planes) : planes_(&planes) { grow(); }
 
   [[nodiscard]] int size() const { return static_cast<int>(planes_->size()); }
+  /// Prepares all shapes that are not prepared yet.
+  void prepare(int threads) const;
   [[nodiscard]] const PlaneShape& shape(int i) const;
 
   /// Degrees between the two planes, 0 (parallel) to 90; the side a normal points to does not matter.
@@ -42,7 +45,7 @@ class PairGeometry {
   /// Takes such bytes over; what cannot be read is left out.
   void remember(std::string_view answers);
   /// Whether more is known than was remembered.
-  [[nodiscard]] bool has_news() const { return has_news_; }
+  [[nodiscard]] bool has_news() const;
 
  private:
   struct Key {
@@ -57,13 +60,20 @@ class PairGeometry {
   struct Range {
     double low = 0, high = std::numeric_limits<double>::infinity();
   };
+  /// Of the pairs of which one plane has the smaller index.
+  struct Known {
+    std::unordered_map<Key, Range, Hash> ranges;  // its own order never shows
+    bool has_news = false;
+  };
+
   template <typename Compute>
   double known_or(const Key& key, const Limits& limits, Compute compute);
+  /// To the number of planes: those of a test file come one by one.
+  void grow();
 
   const std::vector<perception::Plane>* planes_;
   mutable std::vector<std::unique_ptr<PlaneShape>> shapes_;
-  std::unordered_map<Key, Range, Hash> known_;  // its own order never shows
-  bool has_news_ = false;
+  std::vector<Known> known_;  // by the smaller index
 };
 
 /// Boxes around the planes' outlines.

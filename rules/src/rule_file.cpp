@@ -258,11 +258,7 @@ std::optional<double> RuleFile::degree(const std::vector<int>& planes) {
   return degree < 0 ? std::nullopt : std::optional(degree);
 }
 
-std::string RuleFile::features_read() const {
-  std::string out;
-  for (const std::string& name : host_->features_read) out += name + "\n";
-  return out;
-}
+std::string RuleFile::features_read() const { return lines_of(host_->features_read); }
 
 double RuleFile::value(int plane) {
   lua_State* state = host_->lua.get();

@@ -135,6 +135,12 @@ int strip_libraries(lua_State* state) {
 
 }  // namespace
 
+std::string lines_of(const FeatureNames& names) {
+  std::string out;
+  for (const std::string& name : names) out += name + "\n";
+  return out;
+}
+
 RuleHost& host_of(lua_State* state) { return *static_cast<RuleHost*>(lua_touserdata(state, lua_upvalueindex(1))); }
 
 void push_function(RuleHost& host, lua_CFunction function) {

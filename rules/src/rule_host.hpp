@@ -17,6 +17,11 @@ namespace scenelore::rules {
 /// Values of tolerances by field name, from settings.
 using Overrides = std::map<std::string, double>;
 
+/// Names of features of the catalogue.
+using FeatureNames = std::set<std::string, std::less<>>;
+/// One a line.
+[[nodiscard]] std::string lines_of(const FeatureNames& names);
+
 /// Whose files a state runs. Those of strangers are counted and kept from what they see; those that come with the program need not be.
 enum class Trust { stranger, program };
 
@@ -33,7 +38,7 @@ struct RuleHost {
   const std::map<std::string, Overrides> overrides;  ///< by relation
   const Scene* scene = nullptr;
   PairGeometry* geometry = nullptr;
-  std::set<std::string, std::less<>> features_read;  ///< of the catalogue, since set_scene; "?" = some name that it lacks
+  FeatureNames features_read;                    ///< since set_scene; "?" = some name that the catalogue lacks
   std::vector<int> planes;                       ///< registry: the planes of the scene, LUA_NOREF = not pushed yet
   /// Registry: what all planes and vectors have in common, made with the first of them.
   int no_writing = LUA_NOREF, describe = LUA_NOREF, missing_fields_of_planes = LUA_NOREF, missing_fields_of_vectors = LUA_NOREF;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace scenelore::rules {
 
@@ -257,18 +258,18 @@ bool ScannedRegion::boundary_enters(const Box2& box) const {
 }
 
 const CutLines& ScannedRegion::even_lines() const {
-  if (even_.empty()) {
+  std::call_once(later_->even_lines_made, [&] {
     cut_lines(*this, even_slabs(box()), [&](const CutLine& line) {
-      even_.add(line);
+      later_->even_lines.add(line);
       return true;
     });
-  }
-  return even_;
+  });
+  return later_->even_lines;
 }
 
 const Slabs& ScannedRegion::slabs() const {
-  if (!slabs_) slabs_.emplace(region_);
-  return *slabs_;
+  std::call_once(later_->slabs_made, [&] { later_->slabs = Slabs(region_); });
+  return later_->slabs;
 }
 
 double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach, const Limits& limits) {

@@ -1,7 +1,8 @@
 // A region prepared to be cut by many lines along x, as the shared part of two areas needs it for each pair of planes.
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,6 @@ struct CutLine {
 class CutLines {
  public:
   void add(const CutLine& line);
-  [[nodiscard]] bool empty() const { return lines_.empty(); }
   /// Of lengths times heights.
   [[nodiscard]] double area() const { return area_; }
   template <typename Visit>
@@ -62,16 +62,21 @@ class ScannedRegion {
   [[nodiscard]] bool boundary_enters(const Box2& box) const;
 
   static constexpr int kLinesPerSlab = 4;
-  /// Both are computed when first asked for; not safe for concurrent use.
+  /// Both are computed when first asked for, by whichever thread.
   [[nodiscard]] const Slabs& slabs() const;
   [[nodiscard]] const CutLines& even_lines() const;  ///< a few through each slab
 
  private:
+  struct Later {
+    std::once_flag slabs_made, even_lines_made;
+    Slabs slabs;
+    CutLines even_lines;
+  };
+
   Region region_;
   double area_ = 0;
   std::vector<Level> levels_;
-  mutable CutLines even_;
-  mutable std::optional<Slabs> slabs_;
+  std::unique_ptr<Later> later_ = std::make_unique<Later>();  // does not move with the region
 };
 
 /// As share_within of regions, for regions that are asked about again.

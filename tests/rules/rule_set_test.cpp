@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <sstream>
 
 #include "pair_geometry.hpp"
 #include "tiny.hpp"
@@ -403,6 +404,89 @@ TEST(Relate, SortsFactsAndGivesTheSameTwice) {
   }
   for (const RelationCount& count : once.counts) EXPECT_LE(count.held, 2 * count.asked) << count.relation;
   EXPECT_THROW((void)rules.relate(scene, {"abov"}), Error);
+}
+
+/// Files of a user's that show in which order they are asked, and that leave geometry for those after them.
+void write_users_files(const std::filesystem::path& folder) {
+  const auto relation = [&](const std::string& name, const std::string& fields) {
+    test::write_file(folder / (name + ".lua"), "local n = 0\nreturn relation { api = 1, name = '" + name + "', summary = 's', within = 1,\n" + fields + " }");
+  };
+  relation("a_exact_gap", "degree = function(a, b) return geometry.gap(a, b) < 0.2 end");
+  relation("counting", "degree = function(a, b) n = n + 1; return n % 7 / 7 end");
+  relation("near", "symmetric = true, degree = function(a, b) return geometry.gap(a, b, 0.05, 0.1) == 0.05 and a.aspect > 1 end");
+  relation("under", "degree = function(a, b) return geometry.footprint_overlap(b, a, 0.25, 0.2, 0.3) end");
+}
+
+/// All that relate tells, but how long it took.
+std::string told(const Facts& facts) {
+  std::ostringstream out;
+  out.precision(17);
+  for (const kb::RelationFact& f : facts.facts) out << f.relation << " " << f.a << " " << f.b << " " << f.degree << "\n";
+  for (const RelationCount& c : facts.counts) out << c.relation << " " << c.asked << " " << c.held << "\n";
+  for (const auto& [name, a] : facts.asked) out << name << " " << a.asked << " " << a.held << " " << a.within << " " << a.within_plan << " " << a.stored << " " << a.inputs_sha256 << a.features;
+  return out.str() + facts.geometry.inputs_sha256 + facts.geometry.answers;
+}
+
+TEST(Relate, TellsTheSameWithAnyNumberOfThreads) {
+  const test::TemporaryFolder folder;
+  write_users_files(folder.path());
+  for (const bool with_users_files : {false, true}) {
+    std::vector<std::filesystem::path> folders;
+    if (with_users_files) folders.push_back(folder.path());
+    const auto ask = [&](int threads, const KnownAnswers& known, const std::vector<std::string>& left_out = {}) {
+      RuleSet rules = RuleSet::load(folders);
+      Scene scene = building(8);
+      rules.compute_features(scene, scene.features);
+      std::vector<std::string> names = all_relations(rules);
+      for (const std::string& name : left_out) std::erase(names, name);
+      return rules.relate(scene, names, known, threads);
+    };
+    const Facts one = ask(1, {});
+    ASSERT_GT(one.facts.size(), 1000U);
+    const Facts some = ask(1, {}, {"near", "supports", "stands_on", "touching"});
+    const KnownAnswers geometry{{}, some.geometry}, facts{stored(some), some.geometry};
+    for (const int threads : {2, 3, 5}) {
+      EXPECT_TRUE(told(ask(threads, {})) == told(one)) << threads;
+      EXPECT_TRUE(told(ask(threads, geometry)) == told(ask(1, geometry))) << threads;
+      EXPECT_TRUE(told(ask(threads, facts)) == told(ask(1, facts))) << threads;
+    }
+  }
+}
+
+TEST(Relate, TellsTheSameTwiceInTwoThreads) {
+  RuleSet rules = RuleSet::load();
+  const Scene scene = building(8), other = building(7);
+  const std::string first = told(rules.relate(scene, all_relations(rules)));
+  (void)rules.relate(other, all_relations(rules));
+  EXPECT_TRUE(told(rules.relate(scene, all_relations(rules))) == first);
+}
+
+TEST(Relate, MeetsTheSameErrorFirstWithAnyNumberOfThreads) {
+  const auto error = [](const std::vector<std::filesystem::path>& folders, const Budget& budget, int threads, const std::string& further) {
+    RuleSet rules = RuleSet::load(folders, budget);
+    std::vector<std::string> names = all_relations(rules);
+    names.push_back(further);
+    try {
+      (void)rules.relate(building(8), names, {}, threads);
+    } catch (const Error& failed) {
+      return std::string(failed.what());
+    }
+    return std::string("none");
+  };
+  const test::TemporaryFolder folder;
+  write_users_files(folder.path());
+  test::write_file(folder / "middle.lua", "local n = 0\nreturn relation { api = 1, name = 'middle', summary = 's', degree = function(a, b)\n n = n + 1\n if n == 500 then error('stop') end\n return 0 end }");
+  test::write_file(folder / "zero.lua", "return relation { api = 1, name = 'zero', summary = 's', degree = function(a, b) error('too late') end }");
+  const std::string users = error({folder.path()}, {}, 1, "zzz"), over = error({}, {.total = std::chrono::milliseconds(0)}, 1, "near");
+  EXPECT_NE(users.find("middle.lua:4: stop (relation 'middle', planes"), users.npos) << users;
+  EXPECT_NE(over.find("above.lua: stopped after 0 ms and 0 questions"), over.npos) << over;
+  const std::string unknown = error({}, {}, 1, "abov");
+  EXPECT_NE(unknown.find("there is no relation 'abov'"), unknown.npos) << unknown;
+  for (const int threads : {2, 3}) {
+    EXPECT_EQ(error({folder.path()}, {}, threads, "zzz"), users) << threads;
+    EXPECT_EQ(error({}, {.total = std::chrono::milliseconds(0)}, threads, "near"), over) << threads;
+    EXPECT_EQ(error({}, {}, threads, "abov"), unknown) << threads;
+  }
 }
 
 TEST(Relate, AsksAsManyPairsPerPlaneInALargeBuildingAsInASmallOne) {

@@ -20,9 +20,9 @@ struct RuleAnswers {
   std::string hash;                   ///< RuleSet::hash
 };
 
-/// In this process. Throws Error as RuleSet and used_relations do.
+/// In this process. Throws Error as RuleSet and used_relations do. The result does not depend on `threads`.
 [[nodiscard]] RuleAnswers answer(RuleSet& rules, const kb::Knowledge& knowledge, Scene& scene,
-                                 const KnownAnswers& known);
+                                 const KnownAnswers& known, int threads = 2);
 
 /// rlimits of the child, on top of the budgets of the sandbox.
 struct Isolation {
@@ -31,7 +31,7 @@ struct Isolation {
 };
 
 /// The same in a child process, which also loads the rules. No file can grow in it (RLIMIT_FSIZE 0), it can start no other
-/// process (RLIMIT_NPROC 0, unless root asks) and gain no rights (no_new_privs). Throws Error with the child's own message,
+/// process or thread (RLIMIT_NPROC 0, unless root asks) and gain no rights (no_new_privs). Throws Error with the child's own message,
 /// or with what ended it. Geometry and answers to keep do not come back. What does is checked: facts about planes that are not there, or with degrees outside (0, 1],
 /// are errors later on.
 [[nodiscard]] RuleAnswers answer_isolated(const std::vector<std::filesystem::path>& directories, const Budget& budget,

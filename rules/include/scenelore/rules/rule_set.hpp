@@ -40,7 +40,7 @@ struct RelationInfo {
 struct RelationCount {
   std::string relation;
   std::int64_t asked = 0, held = 0;  ///< ordered pairs; held = with a degree above 0
-  double milliseconds = 0;
+  double milliseconds = 0;           ///< of all threads together
 };
 
 /// How far a relation reaches: planes whose boxes are further apart than this are none of its business.
@@ -114,8 +114,9 @@ class RuleSet {
   /// `kept`, when given, spares asking those whose file and planes are as they were.
   void compute_features(const Scene& scene, kb::FeatureTable& table, KeptAnswers* kept = nullptr) const;
   /// Which of the named relations hold between which planes; only pairs within reach are asked. A relation whose rule and
-  /// planes are those of an entry of `known` is not asked at all; one that is asked finds the geometry there.
-  Facts relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known = {});
+  /// planes are those of an entry of `known` is not asked at all; one that is asked finds the geometry there. The result does not depend
+  /// on `threads`; a user's files are asked by one.
+  Facts relate(const Scene& scene, const std::vector<std::string>& relations, const KnownAnswers& known = {}, int threads = 2);
   /// The constraints of Lua files with the tuples of planes that change something. Throws Error for a class that is not there,
   /// and for a name that a row has too. `geometry`, when given, is used and brought up to date; `kept` spares asking those whose file and
   /// planes are as they were.
