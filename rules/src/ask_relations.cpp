@@ -63,9 +63,8 @@ class Questions {
     }
     const bool alone = !rules_.relation_entry(name).built_in;
     if (alone) ask_planned();
-    const RelationInfo& info = rules_.relation(name).relation();
-    planned_.push_back({.name = name, .info = info, .pairs = &pairs_within(info.within, info.within_plan)});
-    if (alone) ask_alone(std::exchange(planned_, {}).front());
+    planned_.push_back({.name = name, .info = rules_.relation(name).relation()});
+    if (alone) ask_alone();
   }
 
   /// The facts of a run before, where all that they depend on is as it was.
@@ -90,12 +89,14 @@ class Questions {
 
   void ask_planned() {
     if (planned_.empty()) return;
-    std::vector<AskedRelation> asked = std::exchange(planned_, {});
+    std::vector<AskedRelation> asked = taken_from_plan();
     ask_together(rules_, scene_, geometry_.with(known_.geometry), asked, threads_);
     for (const AskedRelation& relation : asked) take(relation);
   }
 
-  void ask_alone(AskedRelation relation) {
+  /// Of the only one that is planned.
+  void ask_alone() {
+    AskedRelation relation = std::move(taken_from_plan().front());
     RuleFile& file = rules_.relation(relation.name);
     shown_.show_to(file, geometry_.with(known_.geometry));
     const Clock::time_point start = Clock::now();
@@ -121,11 +122,18 @@ class Questions {
     sort_by_planes(result.found);
   }
 
-  const Pairs& pairs_within(double within, double within_plan) {
+  /// With their pairs.
+  std::vector<AskedRelation> taken_from_plan() {
+    const auto of = [](const RelationInfo& info) { return std::pair(info.within, info.within_plan); };
+    std::vector<Reach> missing;
+    for (const AskedRelation& relation : planned_) {
+      if (pairs_.try_emplace(of(relation.info)).second) missing.push_back({relation.info.within, relation.info.within_plan});
+    }
     if (boxes_.empty()) boxes_ = boxes_of(scene_.planes);
-    const auto [list, fresh] = pairs_.try_emplace({within, within_plan});
-    if (fresh) list->second = pairs_in_reach(boxes_, within, within_plan);
-    return list->second;
+    std::vector<Pairs> found = pairs_in_reach(boxes_, missing);
+    for (std::size_t i = 0; i < missing.size(); ++i) pairs_.at({missing[i].within, missing[i].within_plan}) = std::move(found[i]);
+    for (AskedRelation& relation : planned_) relation.pairs = &pairs_.at(of(relation.info));
+    return std::exchange(planned_, {});
   }
 
   LoadedRules& rules_;

@@ -13,8 +13,6 @@
 
 namespace scenelore::rules {
 
-using Pairs = std::vector<std::pair<int, int>>;  ///< a < b, rising
-
 /// One relation, the pairs it is asked about, and what it answered.
 struct AskedRelation {
   std::string name;

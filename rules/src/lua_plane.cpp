@@ -251,8 +251,13 @@ int plane_argument_or_none(lua_State* state, int argument) {
 }
 
 int plane_argument(lua_State* state, int argument) {
+  const RuleHost& host = host_of(state);
+  const void* address = lua_topointer(state, argument);
+  for (const int asked : host.asked_about) {
+    if (asked >= 0 && address == host.addresses[static_cast<std::size_t>(asked)]) return asked;
+  }
   const int plane = plane_argument_or_none(state, argument);
-  if (plane >= 0 && plane < host_of(state).geometry->size()) return plane;
+  if (plane >= 0 && plane < host.geometry->size()) return plane;
   const std::string function = lua_tostring(state, lua_upvalueindex(2));
   if (plane >= 0) throw Error(function + ": the plane is not of this scene");
   throw Error(function + ": argument " + std::to_string(argument) + " must be a plane, not " +
@@ -279,15 +284,21 @@ void set_scene(RuleHost& host, const Scene* scene, PairGeometry* geometry) {
   host.geometry = geometry;
   for (const int reference : host.planes) luaL_unref(state, LUA_REGISTRYINDEX, reference);
   host.planes.assign(scene == nullptr ? 0 : scene->planes.size(), LUA_NOREF);
+  host.addresses.assign(host.planes.size(), nullptr);
+  host.asked_about = {-1, -1};
 }
 
 void make_known(RuleHost& host, int index) {
   const auto at = static_cast<std::size_t>(index);
-  if (at >= host.planes.size()) host.planes.resize(at + 1, LUA_NOREF);  // the scene of a test file grows while it is looked at
+  if (at >= host.planes.size()) {  // the scene of a test file grows while it is looked at
+    host.planes.resize(at + 1, LUA_NOREF);
+    host.addresses.resize(at + 1);
+  }
   int& reference = host.planes[at];
   if (reference != LUA_NOREF) return;
   const LuaState::HostMemory memory(host.lua);
   make_plane(host, at);
+  host.addresses[at] = lua_topointer(host.lua.get(), -1);
   reference = luaL_ref(host.lua.get(), LUA_REGISTRYINDEX);
 }
 

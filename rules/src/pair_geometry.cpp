@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "scenelore/perception/parallel.hpp"
 
@@ -121,37 +122,66 @@ bool PairGeometry::has_news() const {
   return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return known.has_news; });
 }
 
-bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) {
-  const Eigen::Vector3d apart = (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0);
-  return apart.squaredNorm() <= within * within && apart.head<2>().squaredNorm() <= within_plan * within_plan;
-}
+namespace {
 
-std::vector<std::pair<int, int>> pairs_in_reach(const std::vector<Box3>& boxes, double within, double within_plan) {
+/// Squares of how far two boxes are apart.
+struct Apart {
+  double in_space, seen_from_above;
+
+  Apart(const Box3& a, const Box3& b) {
+    const Eigen::Vector3d gaps = (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0);
+    in_space = gaps.squaredNorm();
+    seen_from_above = gaps.head<2>().squaredNorm();
+  }
+  [[nodiscard]] bool within(const Reach& reach) const {
+    return in_space <= reach.within * reach.within && seen_from_above <= reach.within_plan * reach.within_plan;
+  }
+};
+
+}  // namespace
+
+bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) { return Apart(a, b).within({within, within_plan}); }
+
+std::vector<Pairs> pairs_in_reach(const std::vector<Box3>& boxes, std::span<const Reach> reaches) {
   std::vector<int> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
   const auto box = [&](int i) -> const Box3& { return boxes[static_cast<std::size_t>(i)]; };
   std::sort(order.begin(), order.end(),
             [&](int i, int j) { return std::pair(box(i).min().x(), i) < std::pair(box(j).min().x(), j); });
-  const double reach = std::min(within, within_plan);
-  std::vector<std::vector<int>> partners(boxes.size());  // by the smaller index
-  std::size_t count = 0;
+  double furthest = 0;
+  for (const Reach& reach : reaches) furthest = std::max(furthest, std::min(reach.within, reach.within_plan));
+  struct Partner {
+    int index;
+    Apart apart;
+  };
+  std::vector<std::vector<Partner>> partners(boxes.size());  // by the smaller index
   std::vector<int> open;  // those that may still reach what comes further along x
   for (const int i : order) {
-    std::erase_if(open, [&](int j) { return box(j).max().x() + reach < box(i).min().x(); });
+    std::erase_if(open, [&](int j) { return box(j).max().x() + furthest < box(i).min().x(); });
     for (const int j : open) {
-      if (!in_reach(box(i), box(j), within, within_plan)) continue;
-      partners[static_cast<std::size_t>(std::min(i, j))].push_back(std::max(i, j));
-      ++count;
+      const Apart apart(box(i), box(j));
+      if (apart.seen_from_above <= furthest * furthest) partners[static_cast<std::size_t>(std::min(i, j))].push_back({std::max(i, j), apart});
     }
     open.push_back(i);
   }
-  std::vector<std::pair<int, int>> pairs;
-  pairs.reserve(count);
-  for (std::size_t i = 0; i < partners.size(); ++i) {
-    std::sort(partners[i].begin(), partners[i].end());
-    for (const int j : partners[i]) pairs.emplace_back(static_cast<int>(i), j);
+  for (std::vector<Partner>& of : partners) {
+    std::sort(of.begin(), of.end(), [](const Partner& p, const Partner& q) { return p.index < q.index; });
   }
-  return pairs;
+  std::vector<Pairs> out;
+  for (const Reach& reach : reaches) {
+    Pairs& pairs = out.emplace_back();
+    for (std::size_t i = 0; i < partners.size(); ++i) {
+      for (const Partner& partner : partners[i]) {
+        if (partner.apart.within(reach)) pairs.emplace_back(static_cast<int>(i), partner.index);
+      }
+    }
+  }
+  return out;
+}
+
+Pairs pairs_in_reach(const std::vector<Box3>& boxes, double within, double within_plan) {
+  const Reach reach{within, within_plan};
+  return std::move(pairs_in_reach(boxes, {&reach, 1}).front());
 }
 
 }  // namespace scenelore::rules

@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "plane_shape.hpp"
+#include "scenelore/rules/rule_set.hpp"
 
 namespace scenelore::rules {
 
@@ -79,10 +82,12 @@ class PairGeometry {
 /// Boxes around the planes' outlines.
 [[nodiscard]] std::vector<Box3> boxes_of(const std::vector<perception::Plane>& planes);
 
-/// Pairs (i < j, rising) whose boxes are at most `within` metres apart, and at most `within_plan` seen from above;
-/// infinite = no limit. Sweeps along x, so that far ones are never looked at.
-[[nodiscard]] std::vector<std::pair<int, int>> pairs_in_reach(const std::vector<Box3>& boxes, double within,
-                                                              double within_plan);
+using Pairs = std::vector<std::pair<int, int>>;  ///< i < j, rising
+
+/// Pairs whose boxes are at most `within` metres apart, and at most `within_plan` seen from above; infinite = no limit. One list
+/// for each of `reaches`. Sweeps along x once for all, so that far ones are never looked at.
+[[nodiscard]] std::vector<Pairs> pairs_in_reach(const std::vector<Box3>& boxes, std::span<const Reach> reaches);
+[[nodiscard]] Pairs pairs_in_reach(const std::vector<Box3>& boxes, double within, double within_plan);
 
 /// Whether one pair is within reach in that sense.
 [[nodiscard]] bool in_reach(const Box3& a, const Box3& b, double within, double within_plan);

@@ -1,9 +1,11 @@
 #include "plane_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace scenelore::rules {
 
@@ -35,7 +37,8 @@ Segment2 plan_line(const perception::Ring& outer, const Vector3d& centroid, cons
   return {middle + low * direction, middle + high * direction};
 }
 
-double squared_distance(const Box3& a, const Box3& b) {
+// What gaps between outlines spend most of their time in, so no call should come on top.
+[[gnu::always_inline]] inline double squared_distance(const Box3& a, const Box3& b) {
   return (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(0.0).squaredNorm();
 }
 
@@ -106,9 +109,8 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
     add(plane.hull.outer);
     for (const perception::Ring& hole : plane.hull.holes) add(hole);
   }
-  constexpr std::size_t kBlock = 8;
-  for (std::size_t i = 0; i < edges.size(); i += kBlock) {
-    EdgeBlock block{i, std::min(i + kBlock, edges.size()), {}};
+  for (std::size_t i = 0; i < edges.size(); i += EdgeBlock::kMost) {
+    EdgeBlock block{i, std::min(i + EdgeBlock::kMost, edges.size()), {}};
     for (std::size_t k = i; k < block.end; ++k) block.box.extend(edges[k].box);
     blocks.push_back(block);
   }
@@ -158,12 +160,13 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) 
     }
   }
   const auto nearer = [](const BlockPair& x, const BlockPair& y) { return x.apart < y.apart; };
-  std::vector<const Edge3*> near;
   const auto look = [&](const BlockPair& pair) {
-    near.clear();
+    std::array<const Edge3*, EdgeBlock::kMost> room;
+    std::size_t count = 0;
     for (std::size_t j = pair.q->begin; j < pair.q->end; ++j) {
-      if (squared_distance(b.edges[j].box, pair.p->box) < best) near.push_back(&b.edges[j]);
+      if (squared_distance(b.edges[j].box, pair.p->box) < best) room[count++] = &b.edges[j];
     }
+    const std::span near(room.data(), count);
     for (std::size_t i = pair.p->begin; i < pair.p->end; ++i) {
       const Edge3& e = a.edges[i];
       if (squared_distance(e.box, pair.q->box) >= best) continue;

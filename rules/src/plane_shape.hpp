@@ -21,6 +21,7 @@ struct Edge3 {
 
 /// Neighbouring edges and the box around them, so that far pieces of two outlines are told apart at once.
 struct EdgeBlock {
+  static constexpr std::size_t kMost = 8;  ///< edges
   std::size_t begin = 0, end = 0;
   Box3 box;
 };

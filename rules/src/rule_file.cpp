@@ -172,6 +172,7 @@ double plain_degree(lua_State* state) {
 /// Inside a protected call: an error ends it.
 double RuleFile::answer(lua_State* state, int a, int b) {
   host_->lua.start_counting();
+  host_->asked_about = {a, b};
   const auto call = [&](int function) {
     lua_rawgeti(state, LUA_REGISTRYINDEX, function);
     push_plane(*host_, a);

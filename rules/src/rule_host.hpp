@@ -3,6 +3,7 @@
 
 #include <lua.hpp>
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -40,6 +41,8 @@ struct RuleHost {
   PairGeometry* geometry = nullptr;
   FeatureNames features_read;                    ///< since set_scene; "?" = some name that the catalogue lacks
   std::vector<int> planes;                       ///< registry: the planes of the scene, LUA_NOREF = not pushed yet
+  std::vector<const void*> addresses;            ///< of these values, by which Lua tells them apart
+  std::array<int, 2> asked_about{-1, -1};        ///< planes of the relation's question, which most calls of geometry are about
   /// Registry: what all planes and vectors have in common, made with the first of them.
   int no_writing = LUA_NOREF, describe = LUA_NOREF, missing_fields_of_planes = LUA_NOREF, missing_fields_of_vectors = LUA_NOREF;
   int environment = LUA_NOREF;                   ///< registry: globals of the file
