@@ -40,7 +40,7 @@ std::string class_of(const std::vector<kb::Label>& labels, kb::PlaneId plane, do
 void judge_scene(const kb::Knowledge& knowledge, const rules::LabelledScene& scene, std::size_t number, const std::vector<bool>& wanted,
                  std::vector<Judged>& out) {
   if (std::none_of(wanted.begin(), wanted.end(), [](bool w) { return w; })) return;
-  const auto evidence = kb::preclassify(knowledge, scene.scene.features);
+  const auto evidence = kb::preclassify(knowledge, scene.scene.features, 1);  // scenes are judged in parallel
   rules::LabellingOptions options{.alternatives = 0, .reasons = false};
   options.solver.limits.nodes = 200'000;
   const kb::Inference answer = rules::label(knowledge, scene.scene, evidence, scene.facts, {}, options);
