@@ -87,7 +87,8 @@ class Worker {
     shown_.show_to(file, geometry_);
     const Clock::time_point start = Clock::now();
     const Deadline deadline(file, rules_.budget(), std::chrono::nanoseconds(spent.nanoseconds));
-    put_degrees(file, std::span(*relation.pairs).subspan(from, to - from), deadline, spent.asked, relation.degrees.data() + from * relation.degrees_a_pair());
+    const std::span pairs = std::span(*relation.pairs).subspan(from, to - from);
+    put_degrees(file, pairs, deadline, spent.asked, relation.degrees.data() + from * relation.degrees_a_pair());
     spent.nanoseconds += std::chrono::nanoseconds(Clock::now() - start).count();
     spent.asked += static_cast<std::int64_t>((to - from) * relation.degrees_a_pair());
     const auto& read = file.host().features_read;
