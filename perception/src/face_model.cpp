@@ -32,8 +32,8 @@ double value(const Curve& curve, double x) {
 
 }  // namespace
 
-double face_probability(const FaceTraits& traits, bool thing) {
-  const Model& model = thing ? kThings : kSurfaces;
+double face_probability(const FaceTraits& traits, Origin origin) {
+  const Model& model = origin == Origin::thing ? kThings : origin == Origin::earlier ? kEarlier : kSurfaces;
   double odds = model.offset;
   for (std::size_t t = 0; t < kTraits; ++t) odds += value(model.curves[t], traits[t]);
   return 1 / (1 + std::exp(-odds));

@@ -7,8 +7,14 @@
 
 namespace scenelore::perception {
 
-/// Between 0 and 1: that at least half of region and face are the same (IoU 0.5). A `thing` was found on a plane (thin_objects.hpp) and has curves of its
-/// own: small and close to a larger plane is what it should be. A trait that is NaN speaks neither for nor against.
-[[nodiscard]] double face_probability(const FaceTraits& traits, bool thing);
+/// How a region came about; each way has curves of its own.
+enum class Origin : std::uint8_t {
+  surface,  ///< grown, as it is at the end
+  thing,    ///< found on a plane (thin_objects.hpp): small and close to a larger plane is what it should be
+  earlier,  ///< what a region was before it became one that was given up (earlier_regions.hpp)
+};
+
+/// Between 0 and 1: that at least half of region and face are the same (IoU 0.5). A trait that is NaN speaks neither for nor against.
+[[nodiscard]] double face_probability(const FaceTraits& traits, Origin origin);
 
 }  // namespace scenelore::perception

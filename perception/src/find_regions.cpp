@@ -8,6 +8,7 @@
 #include "absorb.hpp"
 #include "bridge_tables.hpp"
 #include "clutter.hpp"
+#include "earlier_regions.hpp"
 #include "face_model.hpp"
 #include "flush_faces.hpp"
 #include "grow.hpp"
@@ -25,7 +26,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr int kLevels = 3;              // voxels of 1, 2 and 4 times the finest size
-constexpr double kFewestToGrow = 12;    // points of a region while it is still growing
+constexpr int kFewestToGrow = 12;       // points of a region while it is still growing
 
 // Points of a voxel at most that planes are found by: they tell as much as all, to the noise over their square root. A
 // scene of few voxels is one of small things, which need more.
@@ -38,7 +39,7 @@ constexpr double kLargeStep = 0.5;  // m²
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
 // hardly any.
 // Things on planes are what labels need most: a keyboard that is lost costs them more than a paper that is found.
-constexpr double kFace = 0.35, kThing = 0.2, kLargeFace = 0.1, kLarge = 2;  // m²
+constexpr double kFace = 0.35, kThing = 0.2, kEarlier = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -54,8 +55,8 @@ std::vector<PlaneFit> by_size(const std::vector<PlaneFit>& planes) {
 /// One segmentation under way.
 class Finder {
  public:
-  Finder(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged)
-      : cloud_(cloud), options_(options), unjudged_(unjudged), threads_(options.threads) {
+  Finder(const Cloud& cloud, const PerceptionOptions& options, FaceQuestions* questions)
+      : cloud_(cloud), options_(options), questions_(questions), threads_(options.threads) {
     begin("voxels");
     voxels_ = voxelise_to_scale(cloud, threads_);
     found_.voxel = voxels_.scale.voxel;
@@ -83,7 +84,10 @@ class Finder {
   void bridge(const Eigen::Vector3d& up);
   void drop_steps();
   [[nodiscard]] View view(const Eigen::Vector3d& up) const;
-  void give_up(const Eigen::Vector3d& up);
+  [[nodiscard]] std::vector<std::int32_t> regions_of_sample() const { return regions_of_points(slots_, slot_of_point_); }
+  [[nodiscard]] Origin origin(std::size_t region) const;
+  void judge(const Eigen::Vector3d& up, std::size_t first);
+  void bring_back_faces(const Eigen::Vector3d& up);
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
     transfer(sample_, voxels_.grid, found_.limits, judge, old_ones_too, threads_, slot_of_point_, slots_, planes_);
@@ -91,7 +95,7 @@ class Finder {
 
   const Cloud& cloud_;
   const PerceptionOptions& options_;
-  Unjudged* unjudged_;
+  FaceQuestions* questions_;
   int threads_;
   ScaledCloud voxels_;
   FoundRegions found_;
@@ -102,6 +106,8 @@ class Finder {
   Slots slots_;
   std::vector<PlaneFit> planes_;
   Things things_;
+  std::size_t brought_back_ = 0;                     // regions from here on
+  std::vector<std::vector<std::int32_t>> earlier_;   // regions of the sample at some stages
   std::vector<bool> bridged_;  // by region: goes on across a shadow
   std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
 };
@@ -224,33 +230,51 @@ View Finder::view(const Eigen::Vector3d& up) const {
   return view;
 }
 
-/// What is more likely clutter, a sliver or two faces under one plane is given up, unless somebody wants to learn from it.
-void Finder::give_up(const Eigen::Vector3d& up) {
-  begin("faces");
+Origin Finder::origin(std::size_t region) const {
+  return things_.hold(region) ? Origin::thing : region < brought_back_ ? Origin::surface : Origin::earlier;
+}
+
+/// Of the regions from `first` on, gives up what is more likely clutter, a sliver or two faces under one plane.
+void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   const std::vector<FaceTraits> traits =
       face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up), things_);
-  if (unjudged_ != nullptr) {
-    *unjudged_ = {traits, things_, sample_.points, regions_of_points(slots_, slot_of_point_)};
-    return;
+  if (questions_ != nullptr) {
+    questions_->points = sample_.points;
+    FaceRound& round = questions_->rounds.emplace_back(FaceRound{first, traits, {}, regions_of_sample()});
+    for (std::size_t r = 0; r < planes_.size(); ++r) round.origins.push_back(origin(r));
   }
   std::vector<bool> given_up(planes_.size());
-  for (std::size_t r = 0; r < planes_.size(); ++r) {
-    const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : things_.hold(r) ? kThing : kFace;
-    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], things_.hold(r)) < least;
+  for (std::size_t r = first; r < planes_.size(); ++r) {
+    const Origin from = origin(r);
+    const double usual = from == Origin::thing ? kThing : from == Origin::earlier ? kEarlier : kFace;
+    const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : usual;
+    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], from) < least;
     if (given_up[r]) planes_[r] = PlaneFit();
   }
   for (std::int32_t& r : slots_.region) {
-    if (r >= 0 && given_up[r]) r = -1;
+    if (r >= 0 && given_up[static_cast<std::size_t>(r)]) r = -1;
+  }
+}
+
+/// Where a region was given up, what it was before may be a face.
+void Finder::bring_back_faces(const Eigen::Vector3d& up) {
+  brought_back_ = planes_.size();
+  for (const std::vector<std::int32_t>& earlier : earlier_) {
+    const std::size_t first = planes_.size();
+    look_closer(false, [&](Regions& regions) { bring_back(sample_.cloud, earlier, kFewestToGrow, regions); });
+    judge(up, first);
   }
 }
 
 FoundRegions Finder::run() {
   assign();
+  earlier_.push_back(regions_of_sample());
   grow_coarser();
   merge();
   assign();
   merge();
   bridge_shadows(found_.limits.max_plane_distance / 3, kLargePlane, voxels_.grid.size, slots_, planes_);
+  earlier_.push_back(regions_of_sample());
   begin("clutter");
   drop_clutter(voxels_.grid, slots_, planes_);
   assign();  // what clutter held may belong to what is left
@@ -273,7 +297,10 @@ FoundRegions Finder::run() {
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
   drop_steps();
-  give_up(up);
+  begin("faces");
+  brought_back_ = planes_.size();
+  judge(up, 0);
+  bring_back_faces(up);
   begin("shadows");
   if (in_detail) bridge(up);
   begin("promises");
@@ -289,9 +316,9 @@ FoundRegions Finder::run() {
 
 }  // namespace
 
-FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged) {
+FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, FaceQuestions* questions) {
   check(options.parameters);
-  return Finder(cloud, options, unjudged).run();
+  return Finder(cloud, options, questions).run();
 }
 
 }  // namespace scenelore::perception

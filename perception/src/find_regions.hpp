@@ -1,7 +1,7 @@
 // The steps of segmentation, shared by segment() and perceive().
 #pragma once
 
-#include "face_traits.hpp"
+#include "face_model.hpp"
 #include "promises.hpp"
 #include "scenelore/perception/perceive.hpp"
 
@@ -14,16 +14,22 @@ struct FoundRegions : Settled {
   std::vector<Moments> voxels;               ///< of all points, in the cloud's offsets
 };
 
-/// The regions that the face model is asked about, for learning it.
-struct Unjudged {
+/// Regions that the face model is asked about at one time.
+struct FaceRound {
+  std::size_t first = 0;                     ///< regions before this one had been judged before
   std::vector<FaceTraits> traits;            ///< by region
-  Things things;
-  std::vector<std::uint32_t> points;         ///< of the cloud, those in the sample
+  std::vector<Origin> origins;               ///< by region
   std::vector<std::int32_t> region_of_point; ///< by point of the sample; −1 = none
 };
 
-/// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range. With `unjudged`, tells
-/// there what the face model would be asked about, and gives nothing up.
-[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, Unjudged* unjudged = nullptr);
+/// All that the face model is asked about, for learning it.
+struct FaceQuestions {
+  std::vector<std::uint32_t> points;  ///< of the cloud, those in the sample
+  std::vector<FaceRound> rounds;
+};
+
+/// Everything up to the promises, which hold for the result. Throws Error for a parameter out of range. With `questions`, tells
+/// there what the face model was asked about.
+[[nodiscard]] FoundRegions find_regions(const Cloud& cloud, const PerceptionOptions& options, FaceQuestions* questions = nullptr);
 
 }  // namespace scenelore::perception

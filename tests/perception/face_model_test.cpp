@@ -82,7 +82,7 @@ TEST(FaceTraits, AreNotNumbersWhereNobodyKnowsFromWhereItWasSeen) {
   const FaceTraits plane = floor_and_plane_above(0.3, {}, {.up = V::UnitZ(), .noise = 0.005, .slant = {}})[1];
   EXPECT_TRUE(std::isnan(of(plane, Trait::slant)));
   EXPECT_TRUE(std::isnan(of(plane, Trait::excess)));
-  EXPECT_GT(face_probability(plane, false), 0.5) << "speaks neither for nor against";
+  EXPECT_GT(face_probability(plane, Origin::surface), 0.5) << "speaks neither for nor against";
 }
 
 TEST(FaceTraits, TakeWhatLiesBesideAPlaneForNoLayer) {
@@ -99,7 +99,7 @@ TEST(FaceTraits, TakeWhatLiesBesideAPlaneForNoLayer) {
   refit(slots, planes);
   const auto traits = face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, View{.up = V::UnitZ(), .noise = 0.005, .slant = {1, 1}});
   EXPECT_GT(of(traits[1], Trait::layer), 7.5);
-  EXPECT_GT(face_probability(traits[1], false), 0.5);
+  EXPECT_GT(face_probability(traits[1], Origin::surface), 0.5);
 }
 
 TEST(FaceTraits, MeasureACleanPlaneAsOne) {
@@ -125,24 +125,25 @@ TEST(FaceTraits, AreZerosForRegionsWithoutPoints) {
 
 TEST(FaceModel, TakesTheFacesOfARoomForFaces) {
   const Scene scene = testing::room(0.01);
-  Unjudged unjudged;
-  static_cast<void>(find_regions(scene.cloud, {.threads = 1}, &unjudged));
-  std::vector<double> size(unjudged.traits.size(), 0);
-  for (const std::int32_t r : unjudged.region_of_point) {
+  FaceQuestions questions;
+  static_cast<void>(find_regions(scene.cloud, {.threads = 1}, &questions));
+  const FaceRound& asked = questions.rounds.front();
+  std::vector<double> size(asked.traits.size(), 0);
+  for (const std::int32_t r : asked.region_of_point) {
     if (r >= 0) size[static_cast<std::size_t>(r)] += 1;
   }
   int faces = 0;
   for (std::size_t r = 0; r < size.size(); ++r) {
     if (size[r] < 1000) continue;
     ++faces;
-    EXPECT_GT(face_probability(unjudged.traits[r], unjudged.things.hold(r)), 0.5) << "region of " << size[r] << " points";
+    EXPECT_GT(face_probability(asked.traits[r], asked.origins[r]), 0.5) << "region of " << size[r] << " points";
   }
   EXPECT_EQ(faces, 7);
 }
 
 TEST(FaceModel, DoubtsAThinLayerOfALargerPlane) {
   const std::vector<FaceTraits> near = floor_and_plane_above(0.008), far = floor_and_plane_above(0.3);
-  EXPECT_LT(face_probability(near[1], false), 0.3 * face_probability(far[1], false));
+  EXPECT_LT(face_probability(near[1], Origin::surface), 0.3 * face_probability(far[1], Origin::surface));
 }
 
 TEST(FaceModel, TakesForAThingWhatWouldBeALayer) {
@@ -153,17 +154,17 @@ TEST(FaceModel, TakesForAThingWhatWouldBeALayer) {
     return traits;
   };
   // Three deviations off a larger plane is scatter; three centimetres over a desk is what was looked for there.
-  EXPECT_LT(face_probability(over(3), false), face_probability(alone, false));
-  EXPECT_GT(face_probability(over(3), true), face_probability(alone, true));
-  EXPECT_LT(face_probability(over(0.3), true), face_probability(over(3), true)) << "of what is 3 mm high nobody knows";
+  EXPECT_LT(face_probability(over(3), Origin::surface), face_probability(alone, Origin::surface));
+  EXPECT_GT(face_probability(over(3), Origin::thing), face_probability(alone, Origin::thing));
+  EXPECT_LT(face_probability(over(0.3), Origin::thing), face_probability(over(3), Origin::thing)) << "of what is 3 mm high nobody knows";
 }
 
 TEST(FaceModel, IsDefinedForAnyTraits) {
   FaceTraits traits{};
   for (const double x : {-1e30, 0.0, 1e30, std::numeric_limits<double>::quiet_NaN()}) {
     traits.fill(x);
-    for (const bool thing : {false, true}) {
-      const double p = face_probability(traits, thing);
+    for (const Origin origin : {Origin::surface, Origin::thing, Origin::earlier}) {
+      const double p = face_probability(traits, origin);
       EXPECT_GE(p, 0);
       EXPECT_LE(p, 1);
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <vector>
 
 #include "bench/segmentation_scores.hpp"
@@ -92,28 +93,32 @@ void print(const char* name, const Examples& examples) {
 }  // namespace
 
 int main() {
-  Examples surfaces, things;
+  std::map<perception::Origin, Examples> examples;
   const auto all = scans();
   for (std::size_t s = 0; s < all.size(); ++s) {
     const simulator::SimulatedScan scan = simulator::simulate(all[s]);
-    perception::Unjudged unjudged;
-    static_cast<void>(perception::find_regions(perception::to_cloud(scan.points, "room"), {.threads = 2}, &unjudged));
-    const auto overlap = experiment::face_overlaps(scan, unjudged.points, unjudged.region_of_point, unjudged.traits.size());
-    std::vector<double> points(unjudged.traits.size(), 0);
-    for (const std::int32_t r : unjudged.region_of_point) {
-      if (r >= 0) points[static_cast<std::size_t>(r)] += 1;
-    }
-    for (std::size_t r = 0; r < points.size(); ++r) {
-      if (points[r] < 3) continue;
-      Examples& of = unjudged.things.hold(r) ? things : surfaces;
-      of.traits.emplace_back(unjudged.traits[r].begin(), unjudged.traits[r].end());
-      of.faces.push_back(overlap[r] >= kSame);
-      of.scan_of.push_back(s);
+    perception::FaceQuestions questions;
+    static_cast<void>(perception::find_regions(perception::to_cloud(scan.points, "room"), {.threads = 2}, &questions));
+    for (const perception::FaceRound& round : questions.rounds) {
+      const auto overlap = experiment::face_overlaps(scan, questions.points, round.region_of_point, round.traits.size());
+      std::vector<double> points(round.traits.size(), 0);
+      for (const std::int32_t r : round.region_of_point) {
+        if (r >= 0) points[static_cast<std::size_t>(r)] += 1;
+      }
+      for (std::size_t r = round.first; r < points.size(); ++r) {
+        if (points[r] < 3) continue;
+        Examples& of = examples[round.origins[r]];
+        of.traits.emplace_back(round.traits[r].begin(), round.traits[r].end());
+        of.faces.push_back(overlap[r] >= kSame);
+        of.scan_of.push_back(s);
+      }
     }
   }
   fmt::print("// Learned by `make faces` (tools/bench/learn_faces.cpp) from {} simulated scans.\n\n", all.size());
-  print("kSurfaces", surfaces);
+  print("kSurfaces", examples[perception::Origin::surface]);
   fmt::print("\n");
-  print("kThings", things);
+  print("kThings", examples[perception::Origin::thing]);
+  fmt::print("\n");
+  print("kEarlier", examples[perception::Origin::earlier]);
   return 0;
 }
