@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "seen_from.hpp"
+
 namespace scenelore::perception {
 namespace {
 
@@ -36,6 +38,19 @@ double scatter_of(std::vector<float>& distances) {
   return std::max(kFinestScatter, *middle / kMedianOfNormal);
 }
 
+/// Robust deviation of the part of a region that the sensor saw most squarely, metres: that of the ranges, as much of it as lies across there. Noise runs
+/// along the ray, and a wall half a metre beside the scanner is seen at all slants at once. Where nobody knows of slants, that of all.
+double largest_scatter(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points, std::vector<float>& distances) {
+  constexpr std::size_t kMostSquarely = 95;  // percent of the points are seen at more of a slant
+  std::vector<double> across = slants_of(cloud, plane.normal, points);
+  if (across.empty()) return scatter_of(distances);
+  for (double& a : across) a = noise_across(1, a);
+  for (std::size_t k = 0; k < across.size(); ++k) distances[k] /= static_cast<float>(across[k]);
+  const auto squarely = across.begin() + static_cast<std::ptrdiff_t>(across.size() * kMostSquarely / 100);
+  std::nth_element(across.begin(), squarely, across.end());
+  return std::max(kFinestScatter, *squarely * scatter_of(distances));
+}
+
 }  // namespace
 
 std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes) {
@@ -47,12 +62,15 @@ std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> o
 std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes, const Limits& limits) {
   constexpr double kRounding = 1e-5;  // metres, of single precision
   std::vector<std::vector<float>> distances = distances_of(cloud, of_point, planes);
+  const std::vector<std::vector<std::uint32_t>> points = points_of_regions(of_point, planes.size());
   std::vector<double> reach(planes.size());
   for (std::size_t r = 0; r < planes.size(); ++r) {
     if (distances[r].empty()) continue;
     const double furthest = *std::max_element(distances[r].begin(), distances[r].end()) + kRounding;
     reach[r] = std::min(furthest, tolerance(planes[r], limits));
-    if (!limits.plane_distance_given && planes[r].spread_area() < kLargePlane) reach[r] = std::min(reach[r], kDeviations * scatter_of(distances[r]));
+    if (!limits.plane_distance_given && planes[r].spread_area() < kLargePlane) {
+      reach[r] = std::min(reach[r], kDeviations * largest_scatter(cloud, planes[r], points[r], distances[r]));
+    }
   }
   return reach;
 }

@@ -36,7 +36,7 @@ struct Regions {
 [[nodiscard]] double tolerance(const PlaneFit& plane, const Limits& limits);
 
 /// How far the points of each region are from its plane, metres: at most its tolerance, and three robust deviations of planes smaller than
-/// kLargePlane (where the user set no distance); what lies further from those is the side of a board, not its face. Whoever looks at points anew must not give a plane what was
+/// kLargePlane (where the user set no distance), as the part scatters that was seen most squarely; what lies further from those is the side of a board, not its face. Whoever looks at points anew must not give a plane what was
 /// taken from it.
 [[nodiscard]] std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes,
                                           const Limits& limits);

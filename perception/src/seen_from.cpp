@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace scenelore::perception {
@@ -25,16 +26,21 @@ std::optional<bool> seen_from_front(const Cloud& cloud, const PlaneEquation& pla
   return front > 0;
 }
 
-std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points) {
-  double sum = 0;
+std::vector<double> slants_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points) {
+  std::vector<double> slants;
   for (const std::uint32_t i : points) {
     const std::size_t position = cloud.sensors.of_point(i);
-    if (position >= cloud.sensors.positions().size()) return std::nullopt;
+    if (position >= cloud.sensors.positions().size()) return {};
     const Eigen::Vector3d ray = cloud.offset(i).cast<double>() - (cloud.sensors.positions()[position] - cloud.origin);
-    sum += std::abs(ray.normalized().dot(normal));
+    slants.push_back(std::abs(ray.normalized().dot(normal)));
   }
-  if (points.empty()) return std::nullopt;
-  return sum / static_cast<double>(points.size());
+  return slants;
+}
+
+std::optional<double> slant_of(const Cloud& cloud, const Eigen::Vector3d& normal, std::span<const std::uint32_t> points) {
+  const std::vector<double> slants = slants_of(cloud, normal, points);
+  if (slants.empty()) return std::nullopt;
+  return std::accumulate(slants.begin(), slants.end(), 0.0) / static_cast<double>(slants.size());
 }
 
 double noise_across(double noise, double slant) { return noise * std::max(slant, 0.1); }

@@ -198,6 +198,10 @@ TEST(SlantOf, IsTheMeanCosineBetweenRaysAndNormal) {
   EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitZ(), first), 1, 1e-9);
   EXPECT_NEAR(*slant_of(scene.cloud, -Vector::UnitZ(), both), (1 + std::sqrt(0.5)) / 2, 1e-9) << "from either side";
   EXPECT_NEAR(*slant_of(scene.cloud, Vector::UnitX(), both), 0, 1e-9);
+  const std::vector<double> slants = slants_of(scene.cloud, Vector::UnitZ(), both);
+  ASSERT_EQ(slants.size(), both.size());
+  EXPECT_NEAR(slants.front(), 1, 1e-9);
+  EXPECT_NEAR(slants.back(), std::sqrt(0.5), 1e-9);
   EXPECT_EQ(noise_across(0.01, 1), 0.01);
   EXPECT_NEAR(noise_across(0.01, 0.5), 0.005, 1e-12);
   EXPECT_NEAR(noise_across(0.01, 0), 0.001, 1e-12);
@@ -209,6 +213,7 @@ TEST(SlantOf, IsNotKnownWhereThePositionOfSomePointIsNot) {
   scene.add(Vector(0, 1, 0), 0);
   const std::vector<std::uint32_t> both{0, 1}, first{0};
   EXPECT_FALSE(slant_of(scene.cloud, Vector::UnitZ(), both).has_value());
+  EXPECT_TRUE(slants_of(scene.cloud, Vector::UnitZ(), both).empty());
   const std::vector<std::uint32_t> of_point{0, 1};  // 1 = none
   scene.cloud.sensors = SensorPositions({Vector(0, 0, 2)}, of_point);
   EXPECT_FALSE(slant_of(scene.cloud, Vector::UnitZ(), both).has_value());

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "planar_scenes.hpp"
 
@@ -11,6 +13,7 @@ namespace scenelore::perception {
 namespace {
 
 using testing::Random;
+using testing::Scene;
 
 constexpr double kNoise = 0.01;  // metres along the ray
 constexpr int kOfFront = 500, kOfRim = 400;
@@ -113,6 +116,48 @@ TEST(Reaches, OfLargePlanesGoAsFarAsTheirPoints) {
   refit(cloud, regions);
   EXPECT_NEAR(reaches(cloud, regions.of_point, regions.planes, {.max_plane_distance = 0.05})[0], 0.03, 0.001);
   EXPECT_NEAR(reaches(cloud, regions.of_point, regions.planes, {.max_plane_distance = 0.02})[0], 0.014, 0.001) << "at most the tolerance";
+}
+
+/// A wall 0.4 m beside the sensor at the origin, of which one point in seven is seen within 20 degrees of squarely.
+Scene wall_beside() {
+  Scene scene;
+  Random random(4);
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = (i % 7 == 0 ? random.uniform(-20, 20) : random.uniform(20, 84)) * std::numbers::pi / 180;
+    const Eigen::Vector3d p(0.4 * std::tan(angle), 0.4, random.uniform(-0.2, 0.2));
+    scene.add(p + kNoise * random.normal() * p.normalized(), 0);
+  }
+  scene.cloud.sensors = SensorPositions(Eigen::Vector3d::Zero());
+  return scene;
+}
+
+TEST(Reaches, TakeInWhatIsSeenSquarelyOfAWallThatIsMostlySeenAtASlant) {
+  const Limits limits{.max_point_distance = 1.6, .max_plane_distance = 0.04, .max_mse = 4e-4, .min_points = 20, .max_neighbours = 30, .small_plane_step = 0.3};
+  Scene scene = wall_beside();
+  Regions regions{std::vector<std::int32_t>(scene.cloud.size(), 0), std::vector<PlaneFit>(1)};
+  refit(scene.cloud, regions);
+  ASSERT_LT(regions.planes[0].spread_area(), kLargePlane);
+  const auto beyond = [&](double reach) {
+    int count = 0, squarely = 0;
+    for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
+      if (std::abs(scene.cloud.x[i]) > 0.14) continue;
+      ++squarely;
+      count += std::abs(regions.planes[0].distance(scene.cloud.offset(i).cast<double>())) > reach;
+    }
+    return static_cast<double>(count) / squarely;
+  };
+  const double scatter = scatters(scene.cloud, regions.of_point, regions.planes)[0];
+  ASSERT_GT(beyond(3 * scatter), 0.03) << "what most of it scatters by is too little";
+  EXPECT_LT(beyond(reaches(scene.cloud, regions.of_point, regions.planes, limits)[0]), 0.01);
+  scene.cloud.sensors = SensorPositions();
+  EXPECT_NEAR(reaches(scene.cloud, regions.of_point, regions.planes, limits)[0], 3 * scatter, 1e-6) << "nobody knows of slants";
+}
+
+TEST(Reaches, StayNarrowWhereAFaceIsSeenAtOneSlant) {
+  const Limits limits{.max_point_distance = 1.6, .max_plane_distance = 0.04, .max_mse = 4e-4, .min_points = 20, .max_neighbours = 30, .small_plane_step = 0.3};
+  const Screen screen(0.04);
+  const double scatter = scatters(screen.cloud, screen.regions.of_point, screen.regions.planes)[0];
+  EXPECT_LT(reaches(screen.cloud, screen.regions.of_point, screen.regions.planes, limits)[0], 3 * 1.3 * scatter);
 }
 
 }  // namespace
