@@ -5,7 +5,7 @@
 namespace scenelore::perception {
 namespace {
 
-constexpr double kMost = 0.7;
+constexpr double kMost = 0.7;  // of a region's points; of one that lost more to others little is left to judge
 
 }  // namespace
 

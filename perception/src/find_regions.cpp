@@ -106,8 +106,8 @@ class Finder {
   Slots slots_;
   std::vector<PlaneFit> planes_;
   Things things_;
-  std::size_t brought_back_ = 0;                     // regions from here on
-  std::vector<std::vector<std::int32_t>> earlier_;   // regions of the sample at some stages
+  std::size_t brought_back_ = 0;                    // regions from here on
+  std::vector<std::vector<std::int32_t>> earlier_;  // regions of the sample at some stages
   std::vector<bool> bridged_;  // by region: goes on across a shadow
   std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
 };
@@ -258,10 +258,10 @@ void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
 
 /// Where a region was given up, what it was before may be a face.
 void Finder::bring_back_faces(const Eigen::Vector3d& up) {
-  brought_back_ = planes_.size();
   for (const std::vector<std::int32_t>& earlier : earlier_) {
     const std::size_t first = planes_.size();
     look_closer(false, [&](Regions& regions) { bring_back(sample_.cloud, earlier, kFewestToGrow, regions); });
+    drop_steps();
     judge(up, first);
   }
 }
