@@ -1,6 +1,7 @@
 // Learns the curves of the face model (perception/src/face_model.hpp) from simulated scans and prints them as C++ (face_curves.inc).
 // A region is a face when half of both are the same. Scans: paper-like rooms at several densities and noises, varied rooms and
-// depth-camera frames, of seeds from 8501 on, on which nothing is reported.
+// depth-camera frames, of seeds from 8501 on, on which nothing is reported. Which earlier regions are asked about depends on what the present
+// curves give up: where those of surfaces and things change, learn once more.
 #include <fmt/core.h>
 
 #include <algorithm>
