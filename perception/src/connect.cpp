@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "cell_index.hpp"
+#include "disjoint_sets.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -35,8 +35,7 @@ class Connector {
     reach_ = flat ? static_cast<int>(std::ceil(step_ / size)) : 2;
     depth_ = flat ? 0 : 2;
     cells_ = CellIndex(keys);
-    parent_.resize(cells_.size());
-    std::iota(parent_.begin(), parent_.end(), 0);
+    sets_ = DisjointSets(cells_.size());
     choose_speakers();
   }
 
@@ -49,7 +48,7 @@ class Connector {
     std::vector<std::int32_t> part(cells_.size(), -1);
     for (std::size_t k = 0; k < points_.size(); ++k) {
       if (cells_.cell_of(k) < 0) continue;
-      const auto root = static_cast<std::size_t>(find(cells_.cell_of(k)));
+      const auto root = sets_.root(static_cast<std::uint32_t>(cells_.cell_of(k)));
       if (part[root] < 0) {
         part[root] = static_cast<std::int32_t>(result.size());
         result.emplace_back();
@@ -69,11 +68,6 @@ class Connector {
     return cell_key(cell(x), cell(y), cell(z));
   }
 
-  std::int32_t find(std::int32_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-
   void join_ring(std::size_t c, int ring) {
     for (int dx = -ring; dx <= ring; ++dx) {
       for (int dy = -ring; dy <= ring; ++dy) {
@@ -81,8 +75,8 @@ class Connector {
           if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) != ring) continue;
           const std::int32_t other = cells_.find(moved(cells_.key(c), dx, dy, dz));
           if (other <= static_cast<std::int32_t>(c)) continue;
-          const std::int32_t a = find(static_cast<std::int32_t>(c)), b = find(other);
-          if (a != b && within_step(c, static_cast<std::size_t>(other))) parent_[std::max(a, b)] = std::min(a, b);
+          const auto a = static_cast<std::uint32_t>(c), b = static_cast<std::uint32_t>(other);
+          if (sets_.root(a) != sets_.root(b) && within_step(c, b)) sets_.join(a, b);
         }
       }
     }
@@ -138,7 +132,7 @@ class Connector {
   Eigen::Matrix3d axes_;
   CellIndex cells_;
   std::vector<std::vector<std::uint32_t>> speakers_;  ///< by cell
-  std::vector<std::int32_t> parent_;
+  DisjointSets sets_{0};  ///< of cells
 };
 
 }  // namespace

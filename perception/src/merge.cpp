@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
+
+#include "disjoint_sets.hpp"
 
 namespace scenelore::perception {
 
@@ -24,36 +25,24 @@ namespace {
 
 using Pair = std::pair<std::int32_t, std::int32_t>;
 
-/// Trees of regions that have become one; the smallest number stands for all.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t root(std::int32_t r) {
-    while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
-    return r;
+/// Regions that have become one get the smallest of their numbers.
+void rename(DisjointSets& joined, Slots& slots) {
+  for (std::int32_t& r : slots.region) {
+    if (r >= 0) r = joined.root(r);
   }
-  void join(std::int32_t a, std::int32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
-  void rename(Slots& slots) {
-    for (std::int32_t& r : slots.region) {
-      if (r >= 0) r = root(r);
-    }
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
+}
 
 template <typename Allowed>
 void merge_where(const std::vector<Pair>& pairs, std::vector<double> noise, Allowed allowed, Slots& slots, std::vector<PlaneFit>& planes) {
   const std::size_t count = planes.size();
   std::vector<Moments> moments = moments_of_regions(slots, count);
-  Joined joined(count);
+  DisjointSets joined(count);
   for (bool changed = true; changed;) {
     changed = false;
     // The best joins first: a wrong one spoils the plane that later ones are judged by.
     std::vector<std::pair<double, Pair>> scored;
     for (const Pair& pair : pairs) {
-      const std::int32_t a = joined.root(pair.first), b = joined.root(pair.second);
+      const auto a = static_cast<std::int32_t>(joined.root(pair.first)), b = static_cast<std::int32_t>(joined.root(pair.second));
       if (a == b || moments[a].n < 3 || moments[b].n < 3 || !allowed(moments[a], moments[b])) continue;
       const double deviation = joint_deviation(moments[a], noise[a], moments[b], noise[b]);
       if (deviation < kMostDeviation) scored.emplace_back(deviation, Pair{std::min(a, b), std::max(a, b)});
@@ -71,8 +60,8 @@ void merge_where(const std::vector<Pair>& pairs, std::vector<double> noise, Allo
       changed = true;
     }
   }
-  joined.rename(slots);
-  for (std::size_t r = 0; r < count; ++r) planes[r] = fit_plane(joined.root(static_cast<std::int32_t>(r)) == static_cast<std::int32_t>(r) ? moments[r] : Moments());
+  rename(joined, slots);
+  for (std::size_t r = 0; r < count; ++r) planes[r] = fit_plane(joined.root(static_cast<std::uint32_t>(r)) == r ? moments[r] : Moments());
 }
 
 }  // namespace
@@ -126,17 +115,16 @@ void join_level_pieces(const Pyramid& pyramid, const Eigen::Vector3d& up, std::s
   const auto level = [&](const PlaneFit& plane) { return plane.count > 0 && std::abs(plane.normal.dot(up)) > 0.9945; };
   const auto parted = [&](std::int32_t r) { return flush <= static_cast<std::size_t>(r) && static_cast<std::size_t>(r) < count; };
   const std::vector<Moments> moments = moments_of_regions(slots, planes.size());
-  Joined joined(planes.size());
+  DisjointSets joined(planes.size());
   for (const auto& [first, second] : touching_regions(pyramid, slots, 2)) {
     if (parted(first) != parted(second)) continue;
     const PlaneFit &a = planes[first], &b = planes[second];
     if (static_cast<std::size_t>(second) >= count && b.spread_area() < kKeyboard) continue;
     if (!level(a) || !level(b) || std::abs(up.dot(a.centroid - b.centroid)) > kSameHeight) continue;
     if (joint_deviation(moments[first], noise[first], moments[second], noise[second]) > kClearly) continue;
-    const std::int32_t p = joined.root(first), q = joined.root(second);
-    if (p != q) joined.join(p, q);
+    joined.join(first, second);
   }
-  joined.rename(slots);
+  rename(joined, slots);
   refit(slots, planes);
 }
 

@@ -3,29 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "cell_index.hpp"
+#include "disjoint_sets.hpp"
 
 namespace scenelore::perception {
 namespace {
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Places of a part on a grid so coarse that few are left and still fine against the step.
 struct Node {
@@ -52,7 +36,7 @@ double squared(const VoxelPlace& a, const VoxelPlace& b) {
 }
 
 /// Joins the parts of nodes at most `reach` apart, `parts` in number. Nodes are looked for in cubes of that edge.
-void join_near(const std::vector<Node>& nodes, double reach, std::size_t parts, Sets& sets) {
+void join_near(const std::vector<Node>& nodes, double reach, std::size_t parts, DisjointSets& sets) {
   const auto edge = static_cast<std::uint32_t>(std::ceil(reach));
   std::vector<CellKey> keys(nodes.size());
   std::map<std::uint32_t, std::size_t> sizes;
@@ -90,7 +74,7 @@ std::vector<std::vector<std::uint32_t>> connected_slots(const VoxelGrid& grid, c
                                                         double step, std::vector<std::uint32_t>& place_of_slot) {
   if (members.empty()) return {};
   const std::int32_t region = slots.region[members.front()];
-  Sets sets(members.size());
+  DisjointSets sets(members.size());
   for (std::size_t k = 0; k < members.size(); ++k) place_of_slot[members[k]] = static_cast<std::uint32_t>(k);
   std::size_t parts = members.size();
   for (std::size_t k = 0; k < members.size(); ++k) {
