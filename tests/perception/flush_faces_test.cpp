@@ -139,6 +139,46 @@ TEST(StepFaces, FindWhatIsSeenOfADoorOnBothSidesOfWhatStandsBeforeIt) {
   EXPECT_FALSE(holds(1.0, 1.0));
 }
 
+/// What hangs on a wall: a board that the sensor stands before, so that its cells hold far more points than those of all the rest, a door
+/// leaf, and two pictures of one thickness.
+struct Hanging {
+  double left, right, bottom, top, height;
+  [[nodiscard]] bool holds(double u, double v) const { return u > left && u < right && v > bottom && v < top; }
+};
+constexpr std::array<Hanging, 4> kHangings{
+    {{0.0, 1.3, 0.8, 2.0, 0.011}, {2.5, 3.4, 0.0, 2.0, -0.005}, {1.6, 2.1, 1.2, 1.7, 0.02}, {3.55, 3.85, 1.2, 1.8, 0.02}}};
+
+TEST(StepFaces, FindEachOfSeveralOnOneWallHoweverUnevenlyItIsSeen) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    HeightGrid grid = wall(random, [](double u, double v) {
+      double height = 0.004 * u;  // the wall was fitted to the board and leans
+      for (const Hanging& h : kHangings) height += h.holds(u, v) ? h.height : 0;
+      return height;
+    });
+    grid.for_each_cell([&](int x, int y, std::size_t c) {
+      if (!kHangings[0].holds((x + 0.5) * 0.05, (y + 0.5) * 0.05)) return;
+      grid.count[c] = 200;
+      grid.height[c] = 0.011 + 0.004 * (x + 0.5) * 0.05 + 0.01 / std::sqrt(200) * random.normal();
+    });
+    StepFaceFinder finder(grid, 0.01);
+    std::array<double, kHangings.size()> best{};
+    int faces = 0;
+    for (auto face = finder.next(); face && faces < 10; face = finder.next(), ++faces) {
+      for (std::size_t h = 0; h < kHangings.size(); ++h) {
+        double both = 0, either = 0;
+        grid.for_each_cell([&](int x, int y, std::size_t c) {
+          const bool held = kHangings[h].holds((x + 0.5) * 0.05, (y + 0.5) * 0.05);
+          both += held && face->cells[c], either += held || face->cells[c];
+        });
+        best[h] = std::max(best[h], both / either);
+      }
+    }
+    EXPECT_EQ(faces, 4) << "seed " << seed;
+    for (std::size_t h = 0; h < kHangings.size(); ++h) EXPECT_GT(best[h], 0.85) << "seed " << seed << ", " << h;
+  }
+}
+
 TEST(StepFaces, TakeEmptyAndTinyGrids) {
   EXPECT_FALSE(StepFaceFinder(grid_of(1, 1, 0.05, 0), 0.01).next());
   EXPECT_FALSE(StepFaceFinder(grid_of(1, 1, 0.05, 9), 0.01).next());
