@@ -1,8 +1,8 @@
 // Conditional maximum likelihood of kinds. Notation as in mixture.hpp; y_n the class of plane n, r_nk the share that kind k has of
-// p(Φ_n|C_k), C_k its class.
+// p(Φ_n|C_k), C_k its class, v_n what is at stake.
 //
-//   L = Σ_n ln P(y_n|Φ_n) − λ/2 Σ_k [ (Δ ln s_k π_C)² + Σ_i ((Δμ_ki / σ_ki)² + (Δ ln σ_ki)²) ]                     (1)
-//   ∂L/∂ ln(s_k π_C) = Σ_n ([y_n = C_k] − P(C_k|Φ_n)) r_nk − …                                                      (2)
+//   L = Σ_n v_n ln P(y_n|Φ_n) − λ/2 Σ_k [ (Δ ln s_k π_C)² + Σ_i ((Δμ_ki / σ_ki)² + (Δ ln σ_ki)²) ]                     (1)
+//   ∂L/∂ ln(s_k π_C) = Σ_n v_n ([y_n = C_k] − P(C_k|Φ_n)) r_nk − …                                                      (2)
 //
 // and, of a mean or a deviation, the same sum weighed by F_i ∂ ln p(x_i|k): (1) is the maximum mutual information estimate of Bahl et
 // al. 1986 with a Gaussian prior about the present kinds, and is climbed by Adam (Kingma & Ba 2015), each step with some of the planes.
@@ -30,6 +30,7 @@ using Table = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 struct Example {
   int truth = 0;
+  double stake = 1;
   std::vector<double> x, error;  ///< by feature, on its scale; NaN = not known
   Row own;                       ///< Σ F_i ln p(x_i|C) by the rows of each class itself
 };
@@ -135,6 +136,7 @@ void Contrast::take_examples(const LabelledPlanes& planes) {
     if (truth < 0) continue;
     Example& example = examples_.emplace_back();
     example.truth = truth;
+    if (!planes.stakes.empty()) example.stake = planes.stakes[p];
     FeatureTable alone{planes.features.names, {planes.features.values[p]}, {}};
     for (const auto& [name, errors] : planes.features.errors) alone.errors[name] = {errors[p]};
     for (const Feature* feature : features_) {
@@ -205,7 +207,7 @@ void Contrast::add_gradient(const Example& example, Parameters& gradient) const 
   Row pull(kinds);  // [y = C_k] − P(C_k|Φ), times r_k
   for (Eigen::Index c = 0; c < own.size(); ++c) {
     const Eigen::Index first = first_kind_[static_cast<std::size_t>(c)], count = first_kind_[static_cast<std::size_t>(c) + 1] - first;
-    const double of_all = (c == example.truth ? 1 : 0) - posterior[c] / all;
+    const double of_all = example.stake * ((c == example.truth ? 1 : 0) - posterior[c] / all);
     pull.segment(first, count) = of_all * (logs.segment(first, count) - of_class[c]).exp();
     // What the class's own rows judge grows with all of its kinds.
     if (count > 0) gradient.log_shares.segment(first, count) += of_all * std::exp(own[c] - of_class[c]) * shares_[static_cast<std::size_t>(c)];

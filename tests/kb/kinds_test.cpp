@@ -383,6 +383,58 @@ TEST(Contrast, ExpectsEachClassAsOftenAsItIs) {
   }
 }
 
+// The same with what is at stake as weights.
+TEST(Contrast, ExpectsOfEachClassAsMuchAsIsAtStake) {
+  LabelledPlanes planes = with_scraps(60, "table", 1);
+  for (std::size_t i = 0; i < planes.classes.size(); ++i) {
+    if (i % 6 == 0) planes.classes[i] = "shelf";  // half of the whole tables, which matter more
+    planes.stakes.push_back(i % 6 == 0 ? 4 : 1);
+  }
+  LearnedRows rows = learn(vague(), planes);
+  for (LearnedClass& learned : rows.classes) learned.prior = 1.0 / 3;
+  contrast(vague(), planes, rows, {.passes = 40, .strength = 1e-3});
+  const auto p = preclassify(with_rows(vague(), rows), planes.features);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double expected = 0, real = 0, all = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      expected += planes.stakes[i] * p[i][c], all += planes.stakes[i];
+      real += planes.classes[i] == to_learn().classes[c].name ? planes.stakes[i] : 0;
+    }
+    EXPECT_NEAR(expected / all, real / all, 0.02) << "class " << c;
+  }
+}
+
+TEST(HalfOfEach, LooksLikeWhatBothSay) {
+  LearnedRows one = learn(vague(), crossed(30, 1)), other = learn(vague(), crossed(40, 3));
+  for (std::size_t c = 0; c < one.classes.size(); ++c) {
+    other.classes[c].gaussians = one.classes[c].gaussians;
+    other.classes[c].densities = one.classes[c].densities;
+  }
+  const LearnedRows both = half_of_each(one, other);
+  const std::vector<ClassKind>& kinds = both.classes[1].kinds;
+  ASSERT_EQ(kinds.size(), one.classes[1].kinds.size() + other.classes[1].kinds.size());
+  for (std::size_t k = 0; k < kinds.size(); ++k) EXPECT_EQ(kinds[k].number, static_cast<int>(k) + 1);
+  EXPECT_EQ(both.classes[1].examples, one.classes[1].examples + other.classes[1].examples);
+  const LabelledPlanes fresh = crossed(5, 5);
+  const auto density = [&](const LearnedRows& rows, std::size_t plane) {
+    double log = 0;
+    for (const Contribution& term : contributions(with_rows(vague(), rows), fresh.features, plane, 1)) log += term.weight * term.log_likelihood;
+    return std::exp(log);
+  };
+  for (std::size_t i = 0; i < fresh.classes.size(); ++i) {
+    const double mean = (density(one, i) + density(other, i)) / 2;
+    EXPECT_NEAR(density(both, i), mean, 1e-9 * mean) << i;
+  }
+}
+
+TEST(HalfOfEach, LeavesAClassWhereOnlyOneHasKindsForIt) {
+  const LearnedRows one = learn(vague(), crossed(30, 1));
+  LearnedRows other = one;
+  other.classes[1].kinds.clear();
+  EXPECT_EQ(half_of_each(one, other).classes[1].kinds.size(), one.classes[1].kinds.size());
+  EXPECT_EQ(half_of_each(one, other).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+}
+
 TEST(Contrast, LeavesKindsWhereTheyHoldOnFirmly) {
   LearnedRows rows = learn(vague(), crossed(30, 1));
   const std::vector<ClassKind> before = rows.classes[1].kinds;

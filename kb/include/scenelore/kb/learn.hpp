@@ -17,6 +17,7 @@ namespace scenelore::kb {
 struct LabelledPlanes {
   FeatureTable features;
   std::vector<std::string> classes;  ///< one a plane; empty = not known, left out
+  std::vector<double> stakes;        ///< how much the label of each plane matters to `contrast`; empty = 1 each
 };
 
 struct LearnOptions {
@@ -69,6 +70,10 @@ struct ContrastOptions {
 /// errors of their values. Kinds need a row for each feature that counts; classes without kinds stay as they are. Deterministic, with any number
 /// of threads. Throws Error for a kind that lacks a row.
 void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedRows& rows, const ContrastOptions& options = {});
+
+/// Half of each class's kinds and of its prior from either: a class looks like what both say (bagging, Breiman 1996, of mixtures), which is
+/// more even than each. Its other rows are those of `rows`. Both have the same classes.
+[[nodiscard]] LearnedRows half_of_each(LearnedRows rows, const LearnedRows& others);
 
 /// The knowledge with the rows in place, as after to_sql but for rounding.
 [[nodiscard]] Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows);
