@@ -313,6 +313,8 @@ void Contrast::give_back(LearnedRows& rows) const {
 }  // namespace
 
 void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedRows& rows, const ContrastOptions& options) {
+  if (!planes.stakes.empty() && planes.stakes.size() != planes.classes.size())
+    throw Error("what is at stake is known of " + std::to_string(planes.stakes.size()) + " planes of " + std::to_string(planes.classes.size()));
   Contrast contrast(with_rows(knowledge, rows), planes, options);
   contrast.climb();
   contrast.give_back(rows);

@@ -404,6 +404,13 @@ TEST(Contrast, ExpectsOfEachClassAsMuchAsIsAtStake) {
   }
 }
 
+TEST(Contrast, WantsToKnowWhatIsAtStakeOfAllPlanesOrNone) {
+  LabelledPlanes planes = crossed(30, 1);
+  LearnedRows rows = learn(vague(), planes);
+  planes.stakes = {1, 2};
+  EXPECT_THROW(contrast(vague(), planes, rows), Error);
+}
+
 TEST(HalfOfEach, LooksLikeWhatBothSay) {
   LearnedRows one = learn(vague(), crossed(30, 1)), other = learn(vague(), crossed(40, 3));
   for (std::size_t c = 0; c < one.classes.size(); ++c) {

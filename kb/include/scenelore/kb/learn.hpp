@@ -68,7 +68,7 @@ struct ContrastOptions {
 /// `learn` asks of each class alone what it looks like; where classes overlap, and since weights other than 1 make densities what nothing is
 /// drawn from, that is not what tells them apart best. `knowledge`: what else counts, the weights of features above all; `planes` may have
 /// errors of their values. Kinds need a row for each feature that counts; classes without kinds stay as they are. Deterministic, with any number
-/// of threads. Throws Error for a kind that lacks a row.
+/// of threads. Throws Error for a kind that lacks a row and for stakes of another number of planes.
 void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedRows& rows, const ContrastOptions& options = {});
 
 /// Half of each class's kinds and of its prior from either: a class looks like what both say (bagging, Breiman 1996, of mixtures), which is
