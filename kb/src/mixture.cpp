@@ -6,6 +6,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "row_math.hpp"
+
 namespace scenelore::kb {
 
 namespace {
@@ -13,16 +15,12 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const double kPeak = 1 / std::sqrt(2 * std::numbers::pi);  // of the normal distribution
 
-/// Exponents below which a summand is lost in the rounding of the others: of one that is at most 1 beside one of 1; of the wide Gaussian beside
-/// the uniform part, unless σ is below a 10⁻⁴ th of the range. Smaller powers are numbers without all their digits, which processors
-/// are slow with.
-constexpr double kLost = -700, kLostBesideUniform = -43;
-
 template <typename Row>
-double log_sum(const Row& logs) {
-  const double highest = logs.maxCoeff();
-  return highest + std::log((logs - highest).max(kLost).exp().sum());
+std::span<const double> numbers(const Row& row) {
+  return {row.data(), static_cast<std::size_t>(row.size())};
 }
+
+std::span<double> numbers(Eigen::Array<double, 1, Eigen::Dynamic>& row) { return {row.data(), static_cast<std::size_t>(row.size())}; }
 
 }  // namespace
 
@@ -68,6 +66,7 @@ Mixtures::Mixtures(std::span<const MixtureClass> classes, std::span<const Featur
     }
     end_column(of, 0, shares < 1 ? std::log(1 - shares) : -std::numeric_limits<double>::infinity());
   }
+  variances_ = sigmas_.square();
   exponents_ = -0.5 / (kTail * sigmas_).square();
   peaks_ = kPeak / sigmas_;
 }
@@ -85,17 +84,13 @@ void Mixtures::put_squares(const MixtureInput& input, Columns columns, Row& out)
 
 // Each Gaussian, the wide one of odd values too, seen through normal errors.
 void Mixtures::put_densities(const MixtureInput& input, Columns columns, Row& out) const {
-  const auto row = [&](const Table& table) { return table.row(static_cast<Eigen::Index>(input.feature)).segment(columns.first, columns.count); };
-  const double uniform = uniforms_[input.feature], usual = 1 - outlier_share_, odd = outlier_share_ / 2;
+  const auto row = [&](const Table& table) { return numbers(table.row(static_cast<Eigen::Index>(input.feature)).segment(columns.first, columns.count)); };
+  const OddValues odd{1 - outlier_share_, outlier_share_ / 2, uniforms_[input.feature]};
   put_squares(input, columns, out);
   if (input.error > 0) {
-    const auto near = row(sigmas_).square() + input.error * input.error;
-    const auto far = (kTail * row(sigmas_)).square() + input.error * input.error;
-    out = usual * kPeak * (-0.5 * out / near).max(kLost).exp() / near.sqrt() + odd * kPeak * (-0.5 * out / far).max(kLost).exp() / far.sqrt() + uniform;
+    blurred_densities(numbers(out), row(variances_), input.error, odd, numbers(out));
   } else {
-    static_assert(kTail == 4);  // so the two exponents are as 16 to one, and one exponential gives both
-    out = (out * row(exponents_)).max(kLostBesideUniform).exp();
-    out = row(peaks_) * (usual * out.square().square().square().square() + odd / kTail * out) + uniform;
+    sharp_densities(numbers(out), row(exponents_), row(peaks_), odd, numbers(out));
   }
   for_each_untold(input, columns, [&](Eigen::Index column, double log_density) { out[column] = std::exp(log_density); });
 }
@@ -145,7 +140,7 @@ Mixtures::Row Mixtures::log_summands(std::span<const MixtureInput> inputs) const
       put_densities(inputs[i], all, densities);
       product *= densities;
     }
-    logs += weight * product.log();
+    add_logarithms(numbers(product), weight, numbers(logs));
   }
   return logs;
 }
@@ -153,7 +148,7 @@ Mixtures::Row Mixtures::log_summands(std::span<const MixtureInput> inputs) const
 std::vector<double> Mixtures::log_densities(std::span<const MixtureInput> inputs) const {
   const Row logs = log_summands(inputs);
   std::vector<double> out;
-  for (std::size_t c = 0; c + 1 < starts_.size(); ++c) out.push_back(log_sum(logs.segment(of_class(c).first, of_class(c).count)));
+  for (std::size_t c = 0; c + 1 < starts_.size(); ++c) out.push_back(log_sum(numbers(logs.segment(of_class(c).first, of_class(c).count))));
   return out;
 }
 
@@ -167,7 +162,7 @@ Mixtures::Division Mixtures::divide(std::size_t object_class, std::span<const Mi
     terms.row(static_cast<Eigen::Index>(i)) = term;
     logs += inputs[i].weight * term;
   }
-  const double all = log_sum(logs);
+  const double all = log_sum(numbers(logs));
   const Row shares = (logs - all).exp();
   Division out;
   Eigen::Index likeliest = 0;

@@ -87,7 +87,7 @@ class Mixtures {
   std::vector<int> numbers_;                 // of the kinds; 0 = a class's own rows
   Row log_shares_;
   Table means_, sigmas_;                     // NaN and 1 where there is no row
-  Table exponents_, peaks_;                  // of Gaussians of four times the width: −1 / 2(4σ)²; of the narrow ones: 1 / σ√2π
+  Table variances_, exponents_, peaks_;      // of the narrow Gaussians; of Gaussians of four times the width: −1 / 2(4σ)²; of the narrow ones: 1 / σ√2π
   std::vector<std::vector<Untold>> untold_;  // a feature; by column
   std::vector<double> uniforms_, turns_;     // a feature; ε u / 2; 0 where the scale is no circle
   double outlier_share_ = 0;
