@@ -26,6 +26,7 @@ class IdleRows {
       if (before == nullptr || before->feature != row.feature || before->object_class != row.object_class) learned_.emplace(row.object_class, row.feature);
       before = &row;
     }
+    for (const kb::ClassKind& kind : knowledge.kinds) with_kinds_.insert(kind.object_class);
   }
 
   void add_features() {
@@ -41,8 +42,8 @@ class IdleRows {
         if (std::find(measured.begin(), measured.end(), row.feature) != measured.end()) continue;
         note(where, "has no effect: no plane has a value of '" + row.feature + "', since no rule file defines it any more: put the file of "
                     "the feature back" + leave_out);
-      } else if (feature->weight <= 0 && !learned_.contains({row.object_class, row.feature})) {
-        // Rows that learning wrote come with a histogram; that their feature counts for nothing was found out, not overlooked.
+      } else if (feature->weight <= 0 && !learned_.contains({row.object_class, row.feature}) && !with_kinds_.contains(row.object_class)) {
+        // What was learned has a histogram or kinds; that the feature counts for nothing was found out, not overlooked.
         note(where, "has no effect: the weight of feature '" + row.feature + "' is 0; give it one (UPDATE feature SET weight = 0.3 WHERE name = '" +
                     row.feature + "')" + instead_of(row.feature) + leave_out);
       }
@@ -99,6 +100,7 @@ class IdleRows {
   const kb::Knowledge& knowledge_;
   std::vector<std::string> valued_;
   std::set<std::pair<std::string, std::string>> learned_;  // class and feature with a histogram
+  std::set<std::string> with_kinds_;  // classes
 };
 
 }  // namespace

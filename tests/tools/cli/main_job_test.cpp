@@ -152,6 +152,13 @@ TEST_F(MainJob, SegmentsAndLabelsInTwoSteps) {
   EXPECT_EQ(scenelore({"label", "@two.gpkg", "--scan", "kitchen"}).code, 4);
 }
 
+TEST_F(MainJob, HasNothingToSayAboutTheKnowledgeThatItCameWith) {
+  make_labelled();
+  const Finished again = scenelore({"label", "@office.gpkg"});
+  EXPECT_EQ(again.code, 0);
+  EXPECT_EQ(again.err, "");
+}
+
 TEST_F(MainJob, TakesAClassByRowsAlone) {
   make_labelled();
   const std::string plane = ask("office.gpkg", "SELECT plane FROM labelled_plane WHERE class = 'unknown' ORDER BY area_m2 DESC LIMIT 1");
