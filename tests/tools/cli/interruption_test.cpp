@@ -32,9 +32,11 @@ TEST_F(Interruption, ByKillLeavesTheKnowledgeBaseWhole) {
 
 TEST_F(Interruption, ByANodeLimitKeepsTheBestAnswerSoFar) {
   make_labelled();
+  // Features that say next to nothing leave the search much to find out, and the paper's heuristic needs more than one node for it.
+  edit("office.gpkg", "UPDATE feature SET weight = weight / 10");
+  ASSERT_EQ(scenelore({"label", "@office.gpkg"}).code, 0);
   const std::string planes = ask("office.gpkg", "SELECT count(*) FROM plane");
   const std::string optimum = ask("office.gpkg", "SELECT cost FROM run");
-  // The paper's heuristic needs more than one node for this room (the default bound needs none).
   const Finished cut = scenelore({"label", "@office.gpkg", "--paper-bound", "--nodes", "1"});
   EXPECT_EQ(cut.code, 5) << cut.err;
   EXPECT_EQ(ask("office.gpkg", "SELECT outcome, nodes <= 1, lower_bound < cost FROM run"), "feasible,1,1\n");
