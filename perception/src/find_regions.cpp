@@ -11,6 +11,7 @@
 #include "earlier_regions.hpp"
 #include "face_model.hpp"
 #include "flush_faces.hpp"
+#include "front_edges.hpp"
 #include "grow.hpp"
 #include "limits.hpp"
 #include "merge.hpp"
@@ -307,6 +308,8 @@ FoundRegions Finder::run() {
   separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_, bridged_);
   begin("all points");
   spread_from_sample(cloud_, voxels_, sample_, found_.limits, threads_, slot_of_point_, slots_, planes_);
+  begin("front edges");
+  if (in_detail && !found_.limits.plane_distance_given) free_front_edges(cloud_, found_.noise, threads_, slot_of_point_, slots_, planes_);
   begin("promises");
   static_cast<Settled&>(found_) =
       keep_promises(cloud_, voxels_, sample_, slots_, bridged_, found_.limits, threads_, std::move(slot_of_point_));

@@ -80,7 +80,6 @@ std::vector<Part> settle_points(const Cloud& cloud, const Limits& limits, bool b
   return done;
 }
 
-constexpr double kOwnShare = 0.4;    // of the points of its voxels that a plane must hold
 constexpr double kExactness = 1e-3;  // slots prove a limit when they keep this share of it free, far beyond rounding
 
 /// Whether no point of the slots can be further from the plane than allowed: they were measured with another plane, from

@@ -1,0 +1,84 @@
+#include "front_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "face_and_sides.hpp"
+#include "promises.hpp"
+#include "scenelore/perception/parallel.hpp"
+#include "seen_from.hpp"
+
+namespace scenelore::perception {
+namespace {
+
+constexpr double kSlant = 0.7;       // cosine of 45 degrees, between ray and normal
+constexpr std::size_t kFewest = 40;  // points
+constexpr double kFace = 0.4;        // of a region's points, at least
+constexpr double kWorthIt = 0.03;    // of the points, at least
+
+/// Those points of a region that are rather not of its face.
+std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane, double noise, const std::vector<std::uint32_t>& members) {
+  const std::vector<OfFace> of_face = points_of_face(cloud, plane, plane, noise, 1, members);
+  double face = 0;
+  std::vector<std::uint32_t> out;
+  for (std::size_t k = 0; k < of_face.size(); ++k) {
+    face += of_face[k].probability;
+    if (of_face[k].at_front && of_face[k].probability < 0.5) out.push_back(members[k]);
+  }
+  if (face < kFace * static_cast<double>(members.size())) return {};
+  return static_cast<double>(out.size()) < kWorthIt * static_cast<double>(members.size()) ? std::vector<std::uint32_t>{} : out;
+}
+
+/// Points that the voxels of each region hold, and those of them that are the region's.
+struct Held {
+  double own = 0, all = 0;
+};
+
+std::vector<Held> held_by_regions(const Slots& slots, const std::vector<double>& of_voxel, std::size_t regions) {
+  std::vector<Held> out(regions);
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (slots.region[s] < 0 || slots.moments[s].n <= 0) continue;
+    Held& held = out[static_cast<std::size_t>(slots.region[s])];
+    held.own += slots.moments[s].n;
+    held.all += of_voxel[slots.voxel[s]];
+  }
+  return out;
+}
+
+}  // namespace
+
+void free_front_edges(const Cloud& cloud, double noise, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+  if (!cloud.sensors.known()) return;
+  const auto members = points_of_regions(regions_of_points(slots, slot_of_point), planes.size());
+  std::vector<std::vector<std::uint32_t>> freed(members.size());
+  parallel_pieces(members.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      if (members[r].size() < kFewest || planes[r].spread_area() > kLargePlane) continue;
+      if (slant_of(cloud, planes[r].normal, members[r]).value_or(1) > kSlant) continue;
+      freed[r] = beside_face(cloud, planes[r], noise, members[r]);
+    }
+  });
+  std::vector<double> of_voxel(slots.first.size(), 0);
+  for (std::size_t s = 0; s < slots.count(); ++s) of_voxel[slots.voxel[s]] += slots.moments[s].n;
+  const std::vector<Held> held = held_by_regions(slots, of_voxel, planes.size());
+  std::vector<bool> changed(slots.count(), false);
+  for (std::size_t r = 0; r < freed.size(); ++r) {
+    // Its promises are yet to be kept: what holds too little of its voxels is dropped.
+    if (held[r].own - static_cast<double>(freed[r].size()) < kOwnShare * held[r].all) continue;
+    for (const std::uint32_t i : freed[r]) {
+      std::uint32_t& slot = slot_of_point[i];
+      changed[slot] = true;
+      slot = slots.first[slots.voxel[slot] + 1] - 1;
+      changed[slot] = true;
+    }
+  }
+  for (std::size_t s = 0; s < slots.count(); ++s) {
+    if (changed[s]) slots.moments[s] = {};
+  }
+  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
+    if (slot_of_point[i] != kNoVoxel && changed[slot_of_point[i]]) slots.moments[slot_of_point[i]].add(cloud.offset(i).cast<double>());
+  }
+  refit(slots, planes);
+}
+
+}  // namespace scenelore::perception
