@@ -29,6 +29,16 @@ std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane
   return static_cast<double>(out.size()) < kWorthIt * static_cast<double>(members.size()) ? std::vector<std::uint32_t>{} : out;
 }
 
+/// The points of each region that is small enough to be looked at; most points of a room are of large ones.
+std::vector<std::vector<std::uint32_t>> points_of_small(const std::vector<std::uint32_t>& slot_of_point, const Slots& slots, const std::vector<PlaneFit>& planes) {
+  std::vector<std::vector<std::uint32_t>> out(planes.size());
+  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
+    const std::int32_t r = slot_of_point[i] == kNoVoxel ? -1 : slots.region[slot_of_point[i]];
+    if (r >= 0 && planes[static_cast<std::size_t>(r)].spread_area() <= kLargePlane) out[static_cast<std::size_t>(r)].push_back(static_cast<std::uint32_t>(i));
+  }
+  return out;
+}
+
 /// Points that the voxels of each region hold, and those of them that are the region's.
 struct Held {
   double own = 0, all = 0;
@@ -49,11 +59,11 @@ std::vector<Held> held_by_regions(const Slots& slots, const std::vector<double>&
 
 void free_front_edges(const Cloud& cloud, double noise, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   if (!cloud.sensors.known()) return;
-  const auto members = points_of_regions(regions_of_points(slots, slot_of_point), planes.size());
+  const auto members = points_of_small(slot_of_point, slots, planes);
   std::vector<std::vector<std::uint32_t>> freed(members.size());
   parallel_pieces(members.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      if (members[r].size() < kFewest || planes[r].spread_area() > kLargePlane) continue;
+      if (members[r].size() < kFewest) continue;
       if (slant_of(cloud, planes[r].normal, members[r]).value_or(1) > kSlant) continue;
       freed[r] = beside_face(cloud, planes[r], noise, members[r]);
     }
