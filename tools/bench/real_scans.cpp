@@ -95,7 +95,9 @@ void report(const fs::path& path, const kb::Knowledge& knowledge, rules::RuleSet
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || !std::all_of(argv + 1, argv + argc, [](const char* folder) { return fs::is_directory(folder); })) {
+  const auto missing = std::find_if_not(argv + 1, argv + argc, [](const char* folder) { return fs::is_directory(folder); });
+  if (argc < 2 || missing != argv + argc) {
+    if (argc > 1) fmt::print(stderr, "{}: there is no such folder\n", *missing);
     fmt::print(stderr, "usage: real_scans FOLDER…    folders of labelled .ply files\n");
     return 2;
   }
