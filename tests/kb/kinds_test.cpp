@@ -411,17 +411,20 @@ TEST(Contrast, WantsToKnowWhatIsAtStakeOfAllPlanesOrNone) {
   EXPECT_THROW(contrast(vague(), planes, rows), Error);
 }
 
-TEST(HalfOfEach, LooksLikeWhatBothSay) {
-  LearnedRows one = learn(vague(), crossed(30, 1)), other = learn(vague(), crossed(40, 3));
+TEST(Mixed, LooksLikeWhatAllFitsSay) {
+  LearnedRows one = learn(vague(), crossed(30, 1)), other = learn(vague(), crossed(40, 3)), third = learn(vague(), crossed(35, 7));
   for (std::size_t c = 0; c < one.classes.size(); ++c) {
-    other.classes[c].gaussians = one.classes[c].gaussians;
-    other.classes[c].densities = one.classes[c].densities;
+    for (LearnedRows* rows : {&other, &third}) {
+      rows->classes[c].gaussians = one.classes[c].gaussians;
+      rows->classes[c].densities = one.classes[c].densities;
+    }
   }
-  const LearnedRows both = half_of_each(one, other);
-  const std::vector<ClassKind>& kinds = both.classes[1].kinds;
-  ASSERT_EQ(kinds.size(), one.classes[1].kinds.size() + other.classes[1].kinds.size());
+  const LearnedRows all = mixed({one, other, third});
+  const std::vector<ClassKind>& kinds = all.classes[1].kinds;
+  ASSERT_EQ(kinds.size(), one.classes[1].kinds.size() + other.classes[1].kinds.size() + third.classes[1].kinds.size());
   for (std::size_t k = 0; k < kinds.size(); ++k) EXPECT_EQ(kinds[k].number, static_cast<int>(k) + 1);
-  EXPECT_EQ(both.classes[1].examples, one.classes[1].examples + other.classes[1].examples);
+  EXPECT_EQ(all.classes[1].examples, one.classes[1].examples + other.classes[1].examples + third.classes[1].examples);
+  EXPECT_DOUBLE_EQ(all.classes[1].prior, (one.classes[1].prior + other.classes[1].prior + third.classes[1].prior) / 3);
   const LabelledPlanes fresh = crossed(5, 5);
   const auto density = [&](const LearnedRows& rows, std::size_t plane) {
     double log = 0;
@@ -429,17 +432,19 @@ TEST(HalfOfEach, LooksLikeWhatBothSay) {
     return std::exp(log);
   };
   for (std::size_t i = 0; i < fresh.classes.size(); ++i) {
-    const double mean = (density(one, i) + density(other, i)) / 2;
-    EXPECT_NEAR(density(both, i), mean, 1e-9 * mean) << i;
+    const double mean = (density(one, i) + density(other, i) + density(third, i)) / 3;
+    EXPECT_NEAR(density(all, i), mean, 1e-9 * mean) << i;
   }
 }
 
-TEST(HalfOfEach, LeavesAClassWhereOnlyOneHasKindsForIt) {
+TEST(Mixed, LeavesSharesToTheFitsThatHaveKinds) {
   const LearnedRows one = learn(vague(), crossed(30, 1));
   LearnedRows other = one;
   other.classes[1].kinds.clear();
-  EXPECT_EQ(half_of_each(one, other).classes[1].kinds.size(), one.classes[1].kinds.size());
-  EXPECT_EQ(half_of_each(one, other).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+  EXPECT_EQ(mixed({one, other}).classes[1].kinds.size(), one.classes[1].kinds.size());
+  EXPECT_EQ(mixed({one, other}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+  EXPECT_EQ(mixed({other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+  EXPECT_EQ(mixed({one, other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share / 2);
 }
 
 TEST(Contrast, LeavesKindsWhereTheyHoldOnFirmly) {

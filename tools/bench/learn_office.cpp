@@ -1,14 +1,14 @@
 // Learns the default priors, densities and weights from simulated scans and prints them as SQL (schemas/knowledge/office_learned.sql).
 // Usage: learn_office OFFICE.sql [DENSITY_SETS VARIED WEIGHT_SETS]; with --scale instead, the scale of probabilities alone, for the
 // pack as it is.
-// Kinds and densities come from the paper-like rooms of seeds 1 to DENSITY_SETS (30 at most) and half as many with twice the noise (from 10101
-// on), from VARIED depth-camera frames (seeds from 101 on) and two thirds as many laser scans of rooms of varied sizes (from 301 on); the other
-// half of the kinds from as many rooms and frames of seeds from 11001, 12001, 13001 and 14001 on; weights
-// from other rooms, WEIGHT_SETS of seeds from 41 on and five eighths as many with twice the noise (from 31 on), and half as many frames (from
+// Kinds come from four collections of scans that have nothing in common, an equal part of them from each, Gaussians and densities from the first:
+// paper-like rooms, DENSITY_SETS sets of six (30 at most) and half as many with twice the noise, VARIED depth-camera frames and two
+// thirds as many laser scans of rooms of varied sizes (first seeds: main, below). Weights come from other rooms,
+// WEIGHT_SETS of seeds from 41 on and five eighths as many with twice the noise (from 31 on), and half as many frames (from
 // 201 on) and varied rooms (from 401 on): densities know their own examples too well, and there are few screens and keyboards in a room, whose
-// share is learned with the weights. More paper-like rooms (60 sets for densities, 32 for weights) were no better on them, and worse on real scans.
+// share is learned with the weights. More paper-like rooms for one fit (60 sets for densities, 32 for weights) were no better on them, and worse on real scans.
 // The scale of told probabilities is fitted to rooms of their own (seeds from 8001 on), half of them with twice the noise.
-// Kinds are then moved to where they tell classes apart (kb::contrast), on the rooms that densities come from.
+// Kinds are then moved to where they tell classes apart (kb::contrast), on the rooms that they come from.
 // Choices were made on rooms of seeds below 9400, from 30002 to 30051 and from 30101 to 30106, and on 9951 to 9990 once they had been
 // reported; reported figures use other seeds from 9401 to 9999.
 #include <fmt/core.h>
@@ -165,6 +165,21 @@ kb::LabelledPlanes all_planes(const std::vector<rules::LabelledScene>& scenes) {
   return out;
 }
 
+/// Kinds that were learned from one collection, and its planes for moving them to where they tell classes apart.
+struct Fit {
+  Source source;
+  kb::LearnedRows rows;
+  kb::LabelledPlanes planes;  ///< without edges in every second scan
+};
+
+Fit learn_kinds(const Source& source, const kb::Knowledge& hand_set, rules::RuleSet& rules) {
+  std::vector<rules::LabelledScene> seen = scenes(source, rules);
+  Fit out{source, kb::learn(hand_set, all_planes(seen)), {}};
+  for (std::size_t i = 1; i < seen.size(); i += 2) forget_edges(seen[i].scene.features);
+  out.planes = all_planes(seen);
+  return out;
+}
+
 /// What the labels of rooms that nothing was learned from claim, and the scale that makes it true (Platt 1999). One for all noise: the
 /// claims of noisy scans are as true as others, once scraps are learned from.
 std::string probability_scale(kb::Knowledge knowledge, rules::RuleSet& rules) {
@@ -204,23 +219,24 @@ int main(int argc, char** argv) {
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
   const int weight_sets = number(4, 16);
   const int density_sets = number(2, 30);
-  const Source densities{.first_set = 1, .first_noisy = 10101, .first_frame = 101, .first_varied = 301, .sets = density_sets,
-                         .noisy = density_sets / 2, .frames = number(3, 100)};
-  const Source others{.first_set = 11001, .first_noisy = 12001, .first_frame = 13001, .first_varied = 14001, .sets = density_sets,
-                      .noisy = density_sets / 2, .frames = number(3, 100)};
+  const int frame_count = number(3, 100);
+  std::vector<Source> sources{{.first_set = 1, .first_noisy = 10101, .first_frame = 101, .first_varied = 301}};
+  for (const std::uint64_t first : {11001, 15001, 19001}) {
+    sources.push_back({.first_set = first, .first_noisy = first + 1000, .first_frame = first + 2000, .first_varied = first + 3000});
+  }
+  for (Source& source : sources) source.sets = density_sets, source.noisy = density_sets / 2, source.frames = frame_count;
   const Source weights{.first_set = 41, .first_noisy = 31, .first_frame = 201, .first_varied = 401, .sets = weight_sets,
-                       .noisy = weight_sets * 5 / 8, .frames = number(3, 100) / 2};
+                       .noisy = weight_sets * 5 / 8, .frames = frame_count / 2};
   const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("learn_office_{}.gpkg", getpid());
   kb::KnowledgeBase base = kb::KnowledgeBase::create(file, "empty");
   std::ifstream stream(argv[1]);
   base.apply_knowledge({std::istreambuf_iterator<char>(stream), {}}, argv[1]);
   base.register_features(rules.features());
 
-  std::vector<rules::LabelledScene> density_scenes = scenes(densities, rules), other_scenes = scenes(others, rules);
-  const kb::LabelledPlanes planes = all_planes(density_scenes), other_planes = all_planes(other_scenes);
   const kb::Knowledge hand_set = base.knowledge();
-  kb::LearnedRows rows = kb::learn(hand_set, planes), other_rows = kb::learn(hand_set, other_planes);
-  base.apply_knowledge(kb::to_sql(rows), "learned densities");
+  std::vector<Fit> fits;
+  for (const Source& source : sources) fits.push_back(learn_kinds(source, hand_set, rules));
+  base.apply_knowledge(kb::to_sql(fits.front().rows), "learned densities");
 
   kb::Knowledge knowledge = base.knowledge();
   std::vector<rules::LabelledScene> examples = scenes(weights, rules);
@@ -230,12 +246,13 @@ int main(int argc, char** argv) {
   rules::LearnedWeights learned = rules::learn_weights(knowledge, examples, {.most_of_feature = kMostOfFeature});
   fmt::print(stderr, "mean log-likelihood {:.4f}\n", learned.log_likelihood.back());
   const kb::Knowledge weighted = rules::with_weights(hand_set, learned);
-  for (const auto& [of, seen] : {std::pair{&rows, &density_scenes}, {&other_rows, &other_scenes}}) {
-    for (std::size_t i = 1; i < seen->size(); i += 2) forget_edges((*seen)[i].scene.features);
-    for (std::size_t c = 0; c < of->classes.size(); ++c) of->classes[c].prior = learned.priors[c];
-    kb::contrast(weighted, all_planes(*seen), *of, {.strength = kFirmness});
+  std::vector<kb::LearnedRows> contrasted;
+  for (const Fit& fit : fits) {
+    kb::LearnedRows& rows = contrasted.emplace_back(fit.rows);
+    for (std::size_t c = 0; c < rows.classes.size(); ++c) rows.classes[c].prior = learned.priors[c];
+    kb::contrast(weighted, fit.planes, rows, {.strength = kFirmness});
   }
-  rows = kb::half_of_each(std::move(rows), other_rows);
+  const kb::LearnedRows rows = kb::mixed(std::move(contrasted));
   base.apply_knowledge(kb::to_sql(rows), "contrasted densities");
   knowledge = base.knowledge();
   learned = rules::learn_weights(kb::with_rows(weighted, rows), examples, {.most_of_feature = kMostOfFeature});
@@ -247,10 +264,9 @@ int main(int argc, char** argv) {
   std::filesystem::remove(file);
 
   fmt::print("-- Learned by `make knowledge` (tools/bench/learn_office.cpp) from simulated scans at 1 cm range noise where nothing else is said, varied rooms at 1 or 2 cm.\n"
-             "-- Gaussians, densities and one half of the kinds: {} planes of {}\n"
-             "-- The other half of the kinds: {} planes of {}\n"
-             "-- Priors and weights: {}\n{}"
-             "\n-- Weights of features, priors of classes and weights of constraint rows: most likely classes given all others.\n{}{}",
-             planes.classes.size(), described(densities), other_planes.classes.size(), described(others), described(weights), kb::to_sql(rows), weights_sql, scale_sql);
+             "-- Kinds, an equal part of them from each of {} collections, Gaussians and densities from the first:\n", fits.size());
+  for (const Fit& fit : fits) fmt::print("-- {} planes of {}\n", fit.planes.classes.size(), described(fit.source));
+  fmt::print("-- Priors and weights: {}\n{}\n-- Weights of features, priors of classes and weights of constraint rows: most likely classes given all others.\n{}{}",
+             described(weights), kb::to_sql(rows), weights_sql, scale_sql);
   return 0;
 }

@@ -71,9 +71,10 @@ struct ContrastOptions {
 /// of threads. Throws Error for a kind that lacks a row and for stakes of another number of planes.
 void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedRows& rows, const ContrastOptions& options = {});
 
-/// Half of each class's kinds and of its prior from either: a class looks like what both say (bagging, Breiman 1996, of mixtures), which is
-/// more even than each. Its other rows are those of `rows`. Both have the same classes.
-[[nodiscard]] LearnedRows half_of_each(LearnedRows rows, const LearnedRows& others);
+/// What fits to planes of several collections say together (bagging, Breiman 1996, of mixtures), which is more even than what each says: a class
+/// has the kinds of all that have kinds for it, with equal parts of their shares, and the mean of their priors. Its other rows are those
+/// of the first. All have the same classes; at least one. Throws std::out_of_range without any.
+[[nodiscard]] LearnedRows mixed(std::vector<LearnedRows> fits);
 
 /// The knowledge with the rows in place, as after to_sql but for rounding.
 [[nodiscard]] Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows);
