@@ -126,7 +126,7 @@ class LearnCommand : public Command {
     const std::string what = fmt::format("learned from {} planes of {} scan{}", learned.planes, learned.scans, learned.scans == 1 ? "" : "s");
     if (written) base.learn_knowledge(learned.sql, what);
     if (json_) print_json(knowledge, learned, written);
-    else print_text(knowledge, learned, what);
+    else print_text(knowledge, learned, what, written);
     if (harmful) fmt::print(stderr, "scenelore: {}: not written: held-back planes are told worse than before; --force writes all the same\n", file_);
     return harmful ? kNegative : kOk;
   }
@@ -143,7 +143,7 @@ class LearnCommand : public Command {
     return kOk;
   }
 
-  void print_text(const kb::Knowledge& before, const Learned& learned, const std::string& what) const {
+  void print_text(const kb::Knowledge& before, const Learned& learned, const std::string& what, bool written) const {
     fmt::print("{}: {}\n\n", file_, what);
     print_classes(before, learned);
     const Changes changes(before, learned.knowledge);
@@ -157,7 +157,7 @@ class LearnCommand : public Command {
     }
     if (!learned.notes.empty()) fmt::print("\n");
     for (const std::string& note : learned.notes) fmt::print("{}\n", note);
-    if (dry_run_) fmt::print("nothing was written\n");
+    if (!written) fmt::print("nothing was written\n");
     else fmt::print("`scenelore label {0}` uses the new rows, `scenelore learn {0} --undo` takes them back\n", file_);
   }
 

@@ -43,6 +43,19 @@ TEST_F(Learn, WritesRowsAndTakesThemBack) {
   EXPECT_EQ(scenelore({"learn", "@office.gpkg", "--undo"}).code, 1);  // nothing left
 }
 
+TEST_F(Learn, WritesNothingThatTellsHeldBackPlanesWorseAndSaysSo) {
+  make_labelled();
+  edit("office.gpkg", "INSERT INTO truth (plane_id, class) SELECT plane_id, class FROM label");
+  const std::string before = ask("office.gpkg", kRows);
+  // A single scan without what was known before.
+  const Finished learned = scenelore({"learn", "@office.gpkg", "--strength", "0", "--no-weights"});
+  EXPECT_EQ(learned.code, 1);
+  EXPECT_THAT(learned.err, HasSubstr("not written: held-back planes are told worse than before; --force"));
+  EXPECT_THAT(learned.out, HasSubstr("nothing was written"));
+  EXPECT_THAT(learned.out, testing::Not(HasSubstr("uses the new rows")));
+  EXPECT_EQ(ask("office.gpkg", kRows), before);
+}
+
 TEST_F(Learn, UndoLeavesWhatWasAddedSinceAlone) {
   make_labelled();
   edit("office.gpkg", "INSERT INTO truth (plane_id, class) SELECT plane_id, class FROM label");
