@@ -18,14 +18,12 @@ constexpr double kWorthIt = 0.03;    // of the points, at least
 
 /// Those points of a region that are rather not of its face.
 std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane, double noise, const std::vector<std::uint32_t>& members) {
-  const std::vector<OfFace> of_face = points_of_face(cloud, plane, plane, noise, 1, members);
-  double face = 0;
+  const FaceAndSides told(cloud, plane, plane, noise, 1, members);
+  if (told.share() < kFace) return {};
   std::vector<std::uint32_t> out;
-  for (std::size_t k = 0; k < of_face.size(); ++k) {
-    face += of_face[k].probability;
-    if (of_face[k].at_front && of_face[k].probability < 0.5) out.push_back(members[k]);
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    if (told.at_front(k) && told.of_face(k) < 0.5) out.push_back(members[k]);
   }
-  if (face < kFace * static_cast<double>(members.size())) return {};
   return static_cast<double>(out.size()) < kWorthIt * static_cast<double>(members.size()) ? std::vector<std::uint32_t>{} : out;
 }
 

@@ -53,10 +53,10 @@ std::vector<std::uint32_t> sharp_face(const Cloud& cloud, const PlaneFit& plane,
   Points points;
   for (const std::uint32_t i : members) points.push_back(cloud.offset(i).cast<double>());
   const PlaneEquation start = densest(points, plane, kReach * across, kWidestTriple * plane.spread_area());
-  const std::vector<OfFace> of_face = points_of_face(cloud, plane, start, noise, kSharpest, members);
+  const FaceAndSides told(cloud, plane, start, noise, kSharpest, members);
   std::vector<std::uint32_t> face;
-  for (std::size_t k = 0; k < of_face.size(); ++k) {
-    if (of_face[k].probability > 0.5) face.push_back(members[k]);
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    if (told.of_face(k) > 0.5) face.push_back(members[k]);
   }
   if (static_cast<double>(face.size()) < kShare * static_cast<double>(members.size())) return members;
   const PlaneFit fit = fit_plane(moments_of(cloud, face));
