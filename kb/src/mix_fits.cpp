@@ -4,7 +4,7 @@
 
 namespace scenelore::kb {
 
-LearnedRows mixed(std::vector<LearnedRows> fits) {
+LearnedRows mix_fits(std::vector<LearnedRows> fits) {
   LearnedRows out = std::move(fits.at(0));
   for (std::size_t c = 0; c < out.classes.size(); ++c) {
     LearnedClass& of = out.classes[c];

@@ -411,7 +411,7 @@ TEST(Contrast, WantsToKnowWhatIsAtStakeOfAllPlanesOrNone) {
   EXPECT_THROW(contrast(vague(), planes, rows), Error);
 }
 
-TEST(Mixed, LooksLikeWhatAllFitsSay) {
+TEST(MixFits, LooksLikeWhatAllFitsSay) {
   LearnedRows one = learn(vague(), crossed(30, 1)), other = learn(vague(), crossed(40, 3)), third = learn(vague(), crossed(35, 7));
   for (std::size_t c = 0; c < one.classes.size(); ++c) {
     for (LearnedRows* rows : {&other, &third}) {
@@ -419,7 +419,7 @@ TEST(Mixed, LooksLikeWhatAllFitsSay) {
       rows->classes[c].densities = one.classes[c].densities;
     }
   }
-  const LearnedRows all = mixed({one, other, third});
+  const LearnedRows all = mix_fits({one, other, third});
   const std::vector<ClassKind>& kinds = all.classes[1].kinds;
   ASSERT_EQ(kinds.size(), one.classes[1].kinds.size() + other.classes[1].kinds.size() + third.classes[1].kinds.size());
   for (std::size_t k = 0; k < kinds.size(); ++k) EXPECT_EQ(kinds[k].number, static_cast<int>(k) + 1);
@@ -437,14 +437,14 @@ TEST(Mixed, LooksLikeWhatAllFitsSay) {
   }
 }
 
-TEST(Mixed, LeavesSharesToTheFitsThatHaveKinds) {
+TEST(MixFits, LeavesSharesToTheFitsThatHaveKinds) {
   const LearnedRows one = learn(vague(), crossed(30, 1));
   LearnedRows other = one;
   other.classes[1].kinds.clear();
-  EXPECT_EQ(mixed({one, other}).classes[1].kinds.size(), one.classes[1].kinds.size());
-  EXPECT_EQ(mixed({one, other}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
-  EXPECT_EQ(mixed({other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
-  EXPECT_EQ(mixed({one, other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share / 2);
+  EXPECT_EQ(mix_fits({one, other}).classes[1].kinds.size(), one.classes[1].kinds.size());
+  EXPECT_EQ(mix_fits({one, other}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+  EXPECT_EQ(mix_fits({other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share);
+  EXPECT_EQ(mix_fits({one, other, one}).classes[1].kinds[0].share, one.classes[1].kinds[0].share / 2);
 }
 
 TEST(Contrast, LeavesKindsWhereTheyHoldOnFirmly) {

@@ -252,7 +252,7 @@ int main(int argc, char** argv) {
     for (std::size_t c = 0; c < rows.classes.size(); ++c) rows.classes[c].prior = learned.priors[c];
     kb::contrast(weighted, fit.planes, rows, {.strength = kFirmness});
   }
-  const kb::LearnedRows rows = kb::mixed(std::move(contrasted));
+  const kb::LearnedRows rows = kb::mix_fits(std::move(contrasted));
   base.apply_knowledge(kb::to_sql(rows), "contrasted densities");
   knowledge = base.knowledge();
   learned = rules::learn_weights(kb::with_rows(weighted, rows), examples, {.most_of_feature = kMostOfFeature});

@@ -74,7 +74,7 @@ void contrast(const Knowledge& knowledge, const LabelledPlanes& planes, LearnedR
 /// What fits to planes of several collections say together (bagging, Breiman 1996, of mixtures), which is more even than what each says: a class
 /// has the kinds of all that have kinds for it, with equal parts of their shares, and the mean of their priors. Its other rows are those
 /// of the first. All have the same classes; at least one. Throws std::out_of_range without any.
-[[nodiscard]] LearnedRows mixed(std::vector<LearnedRows> fits);
+[[nodiscard]] LearnedRows mix_fits(std::vector<LearnedRows> fits);
 
 /// The knowledge with the rows in place, as after to_sql but for rounding.
 [[nodiscard]] Knowledge with_rows(Knowledge knowledge, const LearnedRows& rows);
