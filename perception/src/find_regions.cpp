@@ -17,6 +17,7 @@
 #include "merge.hpp"
 #include "part_gaps.hpp"
 #include "part_outlines.hpp"
+#include "rejoin.hpp"
 #include "scale.hpp"
 #include "seen_from.hpp"
 #include "sharp_faces.hpp"
@@ -235,7 +236,8 @@ Origin Finder::origin(std::size_t region) const {
   return things_.hold(region) ? Origin::thing : region < brought_back_ ? Origin::surface : Origin::earlier;
 }
 
-/// Of the regions from `first` on, gives up what is more likely clutter, a sliver or two faces under one plane.
+/// Of the regions from `first` on, gives up what is more likely clutter, a sliver or two faces under one plane; a piece of the plane beside it
+/// goes to that one.
 void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   const std::vector<FaceTraits> traits =
       face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up), things_);
@@ -250,11 +252,12 @@ void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
     const double usual = from == Origin::thing ? kThing : from == Origin::earlier ? kEarlier : kFace;
     const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : usual;
     given_up[r] = planes_[r].count > 0 && face_probability(traits[r], from) < least;
-    if (given_up[r]) planes_[r] = PlaneFit();
   }
+  const std::vector<std::int32_t> into = planes_to_rejoin(pyramid_, slots_, planes_, given_up, found_.noise);
   for (std::int32_t& r : slots_.region) {
-    if (r >= 0 && given_up[static_cast<std::size_t>(r)]) r = -1;
+    if (r >= 0 && given_up[static_cast<std::size_t>(r)]) r = into[static_cast<std::size_t>(r)];
   }
+  refit(slots_, planes_);
 }
 
 /// Where a region was given up, what it was before may be a face.
