@@ -308,12 +308,14 @@ FoundRegions Finder::run() {
   begin("shadows");
   if (in_detail) bridge(up);
   begin("promises");
+  surfaces_ = {}, noise_of_voxel_ = {}, pyramid_ = {}, earlier_ = {};  // done with; all points need the room
   separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_, bridged_);
   begin("all points");
   spread_from_sample(cloud_, voxels_, sample_, found_.limits, threads_, slot_of_point_, slots_, planes_);
   begin("front edges");
   if (in_detail && !found_.limits.plane_distance_given) free_front_edges(cloud_, found_.noise, threads_, slot_of_point_, slots_, planes_);
   begin("promises");
+  sample_.cloud = {}, sample_.voxels = {};
   static_cast<Settled&>(found_) =
       keep_promises(cloud_, voxels_, sample_, slots_, bridged_, found_.limits, threads_, std::move(slot_of_point_));
   found_.voxels = std::move(voxels_.grid.moments);

@@ -30,6 +30,9 @@ std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane
 /// The points of each region that is small enough to be looked at; most points of a room are of large ones.
 std::vector<std::vector<std::uint32_t>> points_of_small(const std::vector<std::uint32_t>& slot_of_point, const Slots& slots, const std::vector<PlaneFit>& planes) {
   std::vector<std::vector<std::uint32_t>> out(planes.size());
+  for (std::size_t r = 0; r < planes.size(); ++r) {
+    if (planes[r].spread_area() <= kLargePlane) out[r].reserve(static_cast<std::size_t>(planes[r].count));
+  }
   for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
     const std::int32_t r = slot_of_point[i] == kNoVoxel ? -1 : slots.region[slot_of_point[i]];
     if (r >= 0 && planes[static_cast<std::size_t>(r)].spread_area() <= kLargePlane) out[static_cast<std::size_t>(r)].push_back(static_cast<std::uint32_t>(i));

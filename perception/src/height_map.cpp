@@ -176,12 +176,12 @@ double fitting_edge(const std::vector<Sample>& samples) {
   return std::clamp(kCoarsest * std::sqrt(kWantedSamples / static_cast<double>(*at)), kFinest, kCoarsest);
 }
 
-HeightMap make_height_map(const std::vector<Sample>& samples, double edge, double noise) {
+HeightMap make_height_map(const std::vector<Sample>& samples, double edge, double noise, const std::vector<bool>& left_out) {
   HeightMap map;
   map.edge = edge;
   std::vector<CellKey> keys;
   keys.reserve(samples.size());
-  for (const Sample& s : samples) keys.push_back(key_at(s.at, edge));
+  for (std::size_t k = 0; k < samples.size(); ++k) keys.push_back(!left_out.empty() && left_out[k] ? kNoCell : key_at(samples[k].at, edge));
   map.cells = CellIndex(keys);
   map.cell.resize(map.cells.size());
   for (std::size_t c = 0; c < map.cells.size(); ++c) {

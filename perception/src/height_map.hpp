@@ -37,7 +37,8 @@ struct HeightMap {
 /// Edge that lets the cells of a surface as dense as the sparser parts of these samples hold five points: 1.5 to 4 cm.
 [[nodiscard]] double fitting_edge(const std::vector<Sample>& samples);
 
-[[nodiscard]] HeightMap make_height_map(const std::vector<Sample>& samples, double edge, double noise);
+/// `left_out`: by sample, those that are in no cell; empty = none.
+[[nodiscard]] HeightMap make_height_map(const std::vector<Sample>& samples, double edge, double noise, const std::vector<bool>& left_out = {});
 
 /// A flat thing on a support: h = level + slope · (at − centre).
 struct FlatThing {

@@ -179,15 +179,16 @@ std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std
 }
 
 /// Settles by points what slots could not: one pass collects the points of all of them.
-std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<Unsettled>& sets,
-                              std::size_t slot_count, const std::vector<std::uint32_t>& slot_of_point, int threads) {
+std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<Unsettled>& sets, const Slots& slots,
+                              const std::vector<std::uint32_t>& slot_of_point, int threads) {
   std::vector<Part> result;
   if (sets.empty()) return result;
-  std::vector<std::int32_t> set_of_slot(slot_count, -1);
+  std::vector<std::int32_t> set_of_slot(slots.count(), -1);
+  std::vector<std::vector<std::uint32_t>> points(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     for (const std::uint32_t s : sets[k].slots) set_of_slot[s] = static_cast<std::int32_t>(k);
+    points[k].reserve(static_cast<std::size_t>(moments_of(slots, sets[k].slots).n));
   }
-  std::vector<std::vector<std::uint32_t>> points(sets.size());
   for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
     if (slot_of_point[i] == kNoVoxel) continue;
     const std::int32_t k = set_of_slot[slot_of_point[i]];
@@ -271,7 +272,7 @@ Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const Po
   for (std::size_t p = parts.size(); p-- > 0;) {
     if (scrap[p] != 0) parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(p));
   }
-  for (Part& part : settle_rest(cloud, limits, to_points, slots.count(), slot_of_point, threads)) parts.push_back(std::move(part));
+  for (Part& part : settle_rest(cloud, limits, to_points, slots, slot_of_point, threads)) parts.push_back(std::move(part));
 
   const auto rank = [](const Part& p) { return std::tuple(-p.plane.count, p.plane.centroid.x(), p.plane.centroid.y(), p.plane.centroid.z()); };
   std::stable_sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return rank(a) < rank(b); });

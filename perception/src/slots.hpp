@@ -40,7 +40,8 @@ struct AssignRule {
 };
 
 /// Gives every point of a cloud with these voxels to the nearest of its voxel's candidates, one pass over the points. `slot_of_point` and `before`
-/// are needed (and read) only with `rule.only`; `slot_of_point` then refers to the slots that are returned.
+/// are needed (and read) only with `rule.only`; `slot_of_point` then refers to the slots that are returned. Without it `slot_of_point` may be
+/// `voxels.of_point` itself: each point is read before it is written.
 [[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels,
                                   const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads,
                                   std::vector<std::uint32_t>& slot_of_point, const Slots* before = nullptr);

@@ -159,13 +159,7 @@ class Splitter {
 };
 
 void Splitter::split_at(double edge) {
-  std::vector<Sample> open;
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    if (taken_[k]) continue;
-    open.push_back(samples_[k]);
-    open.back().point = static_cast<std::uint32_t>(k);
-  }
-  const HeightMap map = make_height_map(open, edge, support_.noise);
+  const HeightMap map = make_height_map(samples_, edge, support_.noise, taken_);
   const std::vector<FlatThing> things = flat_things(map, support_.noise, limits_.min_points);
   std::vector<std::int32_t> thing_of_cell(map.cell.size(), -1);
   std::size_t covered = 0;
@@ -182,12 +176,12 @@ void Splitter::split_at(double edge) {
     double sum = 0, everything = 0, n = 0;
     Moments moments;
     const auto take = [&](std::uint32_t k) {
-      const Sample& s = open[k];
+      const Sample& s = samples_[k];
       const double own = thing.height_at(s.at);
-      if (taken_[s.point] || std::abs(s.height - own) > reach || s.height < own / 2) return;
-      points.push_back(s.point);
+      if (taken_[k] || std::abs(s.height - own) > reach || s.height < own / 2) return;
+      points.push_back(k);
       sum += s.height;
-      moments.add(cloud_.offset(samples_[s.point].point).cast<double>());
+      moments.add(cloud_.offset(s.point).cast<double>());
     };
     std::vector<std::size_t> rim;
     for (const std::size_t c : thing.cells) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scenelore::perception {
 namespace {
@@ -87,9 +88,12 @@ std::vector<PlaneFit> planes_of_all(const VoxelisedCloud& voxels, const PointSam
 
 }  // namespace
 
-void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
+void spread_from_sample(const Cloud& cloud, VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
                         std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
-  if (sample.points.size() == cloud.size()) return;
+  if (sample.points.size() == cloud.size()) {
+    std::vector<std::uint32_t>().swap(voxels.of_point);
+    return;
+  }
   planes = planes_of_all(voxels, sample, slots, planes.size());
   AssignRule rule;
   rule.larger_first = false;
@@ -97,7 +101,8 @@ void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const 
   rule.reach = reaches(sample.cloud, region_of_point, planes, limits);
   rule.unit = scatters(sample.cloud, region_of_point, planes);
   const Candidates candidates = candidates_within(slots, rule.unit);
-  slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, threads, slot_of_point);
+  slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, threads, voxels.of_point);
+  slot_of_point = std::exchange(voxels.of_point, {});
   refit(slots, planes);
 }
 

@@ -15,8 +15,9 @@ void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& li
               bool old_ones_too, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
 
 /// The slots of the whole cloud from those of its sample: every point goes to the nearest of the planes that hold sampled
-/// points in its voxel, as far as these reach. `slot_of_point` is that of the sample before and of the cloud afterwards.
-void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
+/// points in its voxel, as far as these reach. `slot_of_point` is that of the sample before and of the cloud afterwards; `voxels.of_point` is
+/// used up, since slots tell it then, and two numbers a point are most of what a cloud of millions of points needs at this step.
+void spread_from_sample(const Cloud& cloud, VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
                         std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
 
 }  // namespace scenelore::perception
