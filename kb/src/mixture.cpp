@@ -76,10 +76,9 @@ Mixtures::Columns Mixtures::of_class(std::size_t object_class) const {
 }
 
 void Mixtures::put_squares(const MixtureInput& input, Columns columns, Row& out) const {
-  const double turn = turns_[input.feature];
-  out = input.scaled - means_.row(static_cast<Eigen::Index>(input.feature)).segment(columns.first, columns.count);
-  if (turn > 0) out = out.unaryExpr([turn](double distance) { return std::remainder(distance, turn); });
-  out = out.square();
+  out.resize(columns.count);
+  const auto means = means_.row(static_cast<Eigen::Index>(input.feature)).segment(columns.first, columns.count);
+  squared_distances(input.scaled, numbers(means), turns_[input.feature], numbers(out));
 }
 
 // Each Gaussian, the wide one of odd values too, seen through normal errors.
@@ -138,7 +137,7 @@ Mixtures::Row Mixtures::log_summands(std::span<const MixtureInput> inputs) const
     product.setOnes();
     for (std::size_t factors = 0; factors < kFactors && i < inputs.size() && inputs[i].weight == weight; ++factors, ++i) {
       put_densities(inputs[i], all, densities);
-      product *= densities;
+      multiply(numbers(densities), numbers(product));
     }
     add_logarithms(numbers(product), weight, numbers(logs));
   }

@@ -16,6 +16,9 @@ struct OddValues {
   double uniform = 0;  ///< ε u / 2
 };
 
+/// out[k] = (value − means[k])²; on a circle of circumference `turn` (0 = none) from the nearest image of the mean. NaN where the mean is.
+void squared_distances(double value, std::span<const double> means, double turn, std::span<double> out);
+
 /// out[k] = (1 − ε) N(d_k; s_k) + ε/2 N(d_k; 4 s_k) + ε u / 2, each Gaussian seen through normal errors: its variance is that of the kind, s_k², and
 /// of the value. `squares`: d_k²; `variances`: s_k²; all of one length. NaN where one of these is.
 void blurred_densities(std::span<const double> squares, std::span<const double> variances, double error, const OddValues& odd, std::span<double> out);
@@ -23,6 +26,9 @@ void blurred_densities(std::span<const double> squares, std::span<const double> 
 /// The same of a value without error, sooner. `exponents`: −1 / 2(4 s_k)²; `peaks`: 1 / s_k √2π.
 void sharp_densities(std::span<const double> squares, std::span<const double> exponents, std::span<const double> peaks, const OddValues& odd,
                      std::span<double> out);
+
+/// out[k] *= x[k].
+void multiply(std::span<const double> x, std::span<double> out);
 
 /// out[k] += factor · ln x[k]; x[k] a positive normal number.
 void add_logarithms(std::span<const double> x, double factor, std::span<double> out);

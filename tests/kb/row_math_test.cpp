@@ -49,6 +49,25 @@ TEST(RowMath, GivesDensitiesOfValuesWithAndWithoutErrors) {
   }
 }
 
+TEST(RowMath, GivesSquaredDistancesAlsoRoundACircle) {
+  constexpr double kTurn = 360, kNone = std::numeric_limits<double>::quiet_NaN();
+  std::mt19937_64 random(7);
+  for (const double range : {kTurn, 3 * kTurn}) {  // the latter: values that have not been brought onto the circle
+    std::vector<double> means{0, 90, 180, 270, kTurn, kNone};
+    for (int i = 0; i < 100; ++i) means.push_back(std::uniform_real_distribution<double>(0, range)(random));
+    std::vector<double> straight(means.size()), round(means.size());
+    for (const double value : {0.0, 180.0, 359.9, std::uniform_real_distribution<double>(0, range)(random)}) {
+      squared_distances(value, means, 0, straight);
+      squared_distances(value, means, kTurn, round);
+      for (std::size_t k = 0; k < means.size(); ++k) {
+        const double distance = value - means[k], nearest = std::remainder(distance, kTurn);
+        EXPECT_TRUE(std::isnan(means[k]) ? std::isnan(straight[k]) : straight[k] == distance * distance);
+        EXPECT_TRUE(std::isnan(means[k]) ? std::isnan(round[k]) : round[k] == nearest * nearest) << value << " and " << means[k];
+      }
+    }
+  }
+}
+
 TEST(RowMath, TakesLogarithmsOfEveryNormalNumber) {
   std::vector<double> x{1, std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), std::numbers::e, 2, 0.5, std::sqrt(0.5), std::sqrt(2.0),
                         std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0), std::nextafter(std::sqrt(0.5), 0.0), 1e-300, 1e300};
