@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace scenelore::engine {
 namespace {
@@ -30,16 +29,7 @@ LocalSearch::LocalSearch(const Outline& outline)
     for (const int literal : outline.counts[c].literals) add(literal);
   }
   find_members();
-  std::map<std::pair<int, double>, std::size_t> tables;
   for (std::size_t p = 0; p < outline.pairs.size(); ++p) {
-    const Outline::Pair& pair = outline.pairs[p];
-    const auto [known, fresh] = tables.try_emplace({pair.table, pair.weight}, tables_.size());
-    table_.push_back(known->second);
-    if (fresh) {
-      auto& table = tables_.emplace_back();
-      for (int a = 0; a < outline.labels(pair.a); ++a)
-        for (int b = 0; b < outline.labels(pair.b); ++b) table.push_back(outline.cost(pair, a, b));
-    }
     pairs_[index(outline.pairs[p].a)].push_back(static_cast<int>(p));
     pairs_[index(outline.pairs[p].b)].push_back(static_cast<int>(p));
   }
@@ -90,11 +80,12 @@ void LocalSearch::charge(std::size_t literal, int sign) {
   for (const int p : pairs_[index(v)]) {
     const Outline::Pair& pair = outline_.pairs[index(p)];
     const bool is_a = pair.a == v;
-    const int other = is_a ? pair.b : pair.a, columns = outline_.labels(pair.b);
-    const Cost* cost = tables_[table_[index(p)]].data() + (is_a ? label * columns : label);
+    const int other = is_a ? pair.b : pair.a;
     Price* charged = charged_.data() + outline_.first_label[index(other)];
-    for (int l = 0; l < outline_.labels(other); ++l, cost += is_a ? 1 : columns)
-      if (*cost != 0) charged[l].add(*cost, sign);
+    for (int l = 0; l < outline_.labels(other); ++l) {
+      const Cost cost = is_a ? outline_.cost(pair, label, l) : outline_.cost(pair, l, label);
+      if (cost != 0) charged[l].add(cost, sign);
+    }
   }
 }
 

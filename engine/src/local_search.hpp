@@ -80,8 +80,6 @@ class LocalSearch {
   std::vector<std::size_t> first_member_;         ///< by variable, in members_
   std::vector<char> members_;                     ///< whether a label is counted: by count of the variable, then by label
   std::vector<char> allowed_;                     ///< by literal
-  std::vector<std::vector<Cost>> tables_;         ///< of pairs, row-major
-  std::vector<std::size_t> table_;                ///< by pair
   std::vector<int> open_;                         ///< variables with two labels or more that are allowed
   std::vector<Price> charged_;                    ///< by literal: its own cost, and conflicts and pairs with labels that hold
   std::vector<Price> prices_;                     ///< by label of the variable at hand

@@ -15,44 +15,29 @@ Outline::Outline(const Problem& problem, const Scale& scale, std::span<const cha
     }
     first_label.push_back(static_cast<int>(own.size()));
   }
-  std::vector<std::pair<int, int>> ends;  // of each conflict
-  const Constraints constraints = problem.constraints();
-  ends.reserve(constraints.size());
-  price.reserve(constraints.size());
-  conflict.reserve(constraints.size());
-  double last_weight = kHard;  // neighbours often have the same
-  Cost weight = scale.whole(last_weight);
-  for (std::size_t c = 0; c < constraints.size(); ++c) {
-    if (!used.empty() && used[c] == 0) continue;
-    const ConstraintView constraint = constraints[c];
+  first_clash.assign(own.size() + 1, 0);
+  const std::size_t constraints = problem.constraints().size();
+  price.reserve(constraints);
+  conflict.reserve(constraints);
+  const auto counts_here = [&](std::size_t c) { return used.empty() || used[c] != 0; };
+  const auto add_conflict = [&](std::size_t c, double weight, const Conflict& body) {
+    if (counts_here(c)) add(body, scale.whole(weight), static_cast<int>(c));
+  };
+  problem.for_each_constraint(add_conflict, [&](std::size_t c, const ConstraintView& constraint) {
+    if (!counts_here(c)) return;
     const int number = static_cast<int>(c);
-    if (constraint.weight != last_weight) weight = scale.whole(last_weight = constraint.weight);
-    if (const auto* clash = constraint.as<Conflict>())
-      add(*clash, weight, number, ends);
-    else if (const auto* requirement = constraint.as<Requirement>())
-      add(*requirement, weight, number, scale);
+    if (const auto* requirement = constraint.as<Requirement>())
+      add(*requirement, scale.whole(constraint.weight), number, scale);
     else if (const auto* cardinality = constraint.as<Cardinality>())
-      add(*cardinality, weight, number);
+      add(*cardinality, scale.whole(constraint.weight), number);
     else if (const auto* pair = constraint.as<PairTable>())
       pairs.push_back({pair->a, pair->b, pair->table, constraint.weight, number});
-  }
+  });
   sort();
-  first_clash.assign(own.size() + 1, 0);
-  for (const auto& [a, b] : ends) {
-    ++first_clash[at(a) + 1];
-    ++first_clash[at(b) + 1];
-  }
-  for (std::size_t i = 1; i < first_clash.size(); ++i) first_clash[i] += first_clash[i - 1];
-  clashes.resize(first_clash.back());
-  std::vector<std::size_t> next(first_clash.begin(), first_clash.end() - 1);
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const auto [a, b] = ends[k];
-    clashes[next[at(a)]++] = {b, static_cast<int>(k)};
-    clashes[next[at(b)]++] = {a, static_cast<int>(k)};
-  }
+  place_clashes();
 }
 
-void Outline::add(const Conflict& body, Cost weight, int constraint, std::vector<std::pair<int, int>>& ends) {
+void Outline::add(const Conflict& body, Cost weight, int constraint) {
   if (weight == 0) return tiny_.push_back(constraint);
   if (body.a == body.b) {
     Cost& cost = own[at(literal(body.a))];
@@ -60,9 +45,23 @@ void Outline::add(const Conflict& body, Cost weight, int constraint, std::vector
     by_itself_.emplace_back(literal(body.a), constraint);
   }
   if (body.a.variable == body.b.variable) return;
-  ends.emplace_back(literal(body.a), literal(body.b));
+  ++first_clash[at(literal(body.a)) + 1];
+  ++first_clash[at(literal(body.b)) + 1];
   price.push_back(weight);
   conflict.push_back(constraint);
+}
+
+/// The literals' clashes have been counted. Asking the problem again takes less than keeping what it said.
+void Outline::place_clashes() {
+  for (std::size_t i = 1; i < first_clash.size(); ++i) first_clash[i] += first_clash[i - 1];
+  clashes.resize(first_clash.back());
+  std::vector<std::size_t> next(first_clash.begin(), first_clash.end() - 1);
+  for (std::size_t k = 0; k < conflict.size(); ++k) {
+    const Conflict& body = problem_->conflict(at(conflict[k]));
+    const int a = literal(body.a), b = literal(body.b);
+    clashes[next[at(a)]++] = {b, static_cast<int>(k)};
+    clashes[next[at(b)]++] = {a, static_cast<int>(k)};
+  }
 }
 
 void Outline::add(const Requirement& body, Cost weight, int constraint, const Scale& scale) {

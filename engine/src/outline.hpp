@@ -86,10 +86,11 @@ struct Outline {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  void add(const Conflict& body, Cost weight, int constraint, std::vector<std::pair<int, int>>& ends);
+  void add(const Conflict& body, Cost weight, int constraint);
   void add(const Requirement& body, Cost weight, int constraint, const Scale& scale);
   void add(const Cardinality& body, Cost weight, int constraint);
   void sort();
+  void place_clashes();
 
   std::vector<int> tiny_;                        ///< constraints that cost something, but are rounded to nothing
   std::vector<std::pair<int, int>> by_itself_;  ///< literal, constraint: conflicts of a label with itself, in `own`

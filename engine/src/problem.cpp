@@ -28,6 +28,12 @@ class Inspector {
            std::to_string(owner.labels.size()));
   }
 
+  bool exists(const Literal& literal) const {
+    const std::vector<Variable>& variables = problem_.variables();
+    return static_cast<std::size_t>(literal.variable) < variables.size() &&
+           static_cast<std::size_t>(literal.label) < variables[static_cast<std::size_t>(literal.variable)].costs.size();
+  }
+
   void weight(double weight) const {
     if (!(weight > 0)) fail("its weight is " + std::to_string(weight) + "; a weight is > 0, or kHard");
   }
@@ -40,7 +46,7 @@ class Inspector {
   void body(const Requirement& requirement, double weight) const {
     literal(requirement.literal);
     for (const Support& support : requirement.supports) {
-      literal(support.literal);
+      if (!exists(support.literal)) literal(support.literal);
       if (!(support.cost >= 0) || support.cost > weight)
         fail("a support costs " + std::to_string(support.cost) + "; that must lie between 0 and the weight");
     }
@@ -171,24 +177,22 @@ int Problem::add(const std::string& name, double weight, std::int64_t reference,
 
 void Problem::add(const std::string& name, std::int64_t reference, std::span<const WeightedConflict> conflicts) {
   if (conflicts.empty()) return;
-  const Variable* const variables = variables_.data();
-  const std::size_t count = variables_.size();
-  const auto exists = [&](const Literal& l) {
-    return static_cast<std::size_t>(l.variable) < count && static_cast<std::size_t>(l.label) < variables[l.variable].costs.size();
-  };
+  const Inspector inspector(*this, name);
   for (const auto& [weight, conflict] : conflicts) {
-    if (weight > 0 && exists(conflict.a) && exists(conflict.b)) continue;
-    const Inspector inspector(*this, name);
+    if (weight > 0 && inspector.exists(conflict.a) && inspector.exists(conflict.b)) continue;
     inspector.weight(weight);
     inspector.body(conflict, weight);
   }
   Head head{0, call_of_next(name, reference)};
   head.kind = Kind::conflict;
-  for (const auto& [weight, conflict] : conflicts) {
-    head.weight = weight;
-    head.body = static_cast<std::uint32_t>(conflicts_.size()) & kMostBodies;
-    heads_.push_back(head);
-    conflicts_.push_back(conflict);
+  const std::size_t first_head = heads_.size(), first = conflicts_.size();
+  heads_.resize(first_head + conflicts.size());
+  conflicts_.resize(first + conflicts.size());
+  for (std::size_t i = 0; i < conflicts.size(); ++i) {
+    head.weight = conflicts[i].weight;
+    head.body = static_cast<std::uint32_t>(first + i) & kMostBodies;
+    heads_[first_head + i] = head;
+    conflicts_[first + i] = conflicts[i].conflict;
   }
   revision_ += conflicts.size();
 }

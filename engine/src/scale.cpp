@@ -41,25 +41,19 @@ Scale::Scale(const Problem& problem) {
   // which is below 2^48 units.
   double terms = 2 + static_cast<double>(problem.variables().size());
   for (const Variable& variable : problem.variables()) sum += largest_finite(variable.costs);
-  for (const ConstraintView constraint : problem.constraints()) {
-    if (constraint.as<Conflict>() != nullptr) {  // most of them
-      if (std::isfinite(constraint.weight)) sum += constraint.weight;
-      terms += 1;
-      continue;
-    }
+  const auto add_conflict = [&](std::size_t, double weight, const Conflict&) {
+    if (weight != kHard) sum += weight;
+    terms += 1;
+  };
+  problem.for_each_constraint(add_conflict, [&](std::size_t, const ConstraintView& constraint) {
     sum += worst(problem, constraint);
     const auto* cardinality = constraint.as<Cardinality>();
     terms += cardinality == nullptr ? 1 : static_cast<double>(cardinality->literals.size()) + std::max(cardinality->low, 1);
-  }
+  });
   int exponent = 0;
   std::frexp(sum, &exponent);  // sum < 2^exponent
   units_ = std::ldexp(1.0, std::min(40, 48 - exponent));
   slack_ = static_cast<Cost>(std::min(0x1p50, terms));
-}
-
-Cost Scale::whole(double cost) const {
-  const double scaled = cost * units_;
-  return scaled < static_cast<double>(kTop / 16) ? static_cast<Cost>(std::llround(scaled)) : kTop;
 }
 
 double Scale::real(Cost cost) const {

@@ -14,8 +14,13 @@ namespace scenelore::engine {
 class Scale {
  public:
   explicit Scale(const Problem& problem);
-  /// kTop for more than all finite costs together.
-  Cost whole(double cost) const;
+  /// To the nearest, halves up; `cost` ≥ 0. kTop for more than all finite costs together.
+  Cost whole(double cost) const {
+    const double scaled = cost * units_;
+    if (!(scaled < static_cast<double>(kTop / 16))) return kTop;
+    const auto below = static_cast<Cost>(scaled);
+    return below + (scaled - static_cast<double>(below) >= 0.5 ? 1 : 0);
+  }
   double real(Cost cost) const;
   /// A cost of a whole assignment that was added up in real numbers and then made whole differs from the sum of whole
   /// costs by less than this.

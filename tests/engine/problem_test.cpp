@@ -73,6 +73,21 @@ TEST(Problem, GivesBackConstraintsOfAllKindsAsTheyWereAddedAndDropped) {
     ++i;
   }
   EXPECT_EQ(i, expected.size());
+  i = 0;
+  const auto of_conflict = [&](std::size_t index, double weight, const Conflict& conflict) {
+    EXPECT_EQ(index, i);
+    EXPECT_EQ(weight, expected[i].weight);
+    EXPECT_EQ(&copy.conflict(index), &conflict);
+    EXPECT_EQ(written(Constraint{expected[i].name, weight, expected[i].reference, conflict}), written(expected[i])) << i;
+    ++i;
+  };
+  copy.for_each_constraint(of_conflict, [&](std::size_t index, const ConstraintView& constraint) {
+    EXPECT_EQ(index, i);
+    EXPECT_EQ(constraint.as<Conflict>(), nullptr);
+    EXPECT_EQ(written(constraint), written(expected[i])) << i;
+    ++i;
+  });
+  EXPECT_EQ(i, expected.size());
 }
 
 }  // namespace

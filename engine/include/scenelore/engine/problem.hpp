@@ -157,6 +157,20 @@ class Problem {
   /// By index; a range of ConstraintView.
   Constraints constraints() const { return Constraints(*this); }
   ConstraintView constraint(std::size_t index) const;
+  /// For all constraints by rising index: of_conflict(index, weight, conflict), or of_other(index, view). A view of each of tens of
+  /// thousands of conflicts would take longer than most of what is asked of them.
+  template <typename OfConflict, typename OfOther>
+  void for_each_constraint(OfConflict of_conflict, OfOther of_other) const {
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      const Head& head = heads_[i];
+      if (head.kind == Kind::conflict)
+        of_conflict(i, head.weight, conflicts_[head.body]);
+      else
+        of_other(i, constraint(i));
+    }
+  }
+  /// The constraint must be a conflict.
+  const Conflict& conflict(std::size_t index) const { return conflicts_[heads_[index].body]; }
   const std::vector<double>& table(int index) const { return tables_[static_cast<std::size_t>(index)].costs; }
   /// Labels of a and of b that the table is for.
   std::pair<int, int> table_size(int index) const {
