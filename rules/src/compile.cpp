@@ -111,9 +111,13 @@ void Compiler::add_row(int index) {
   add_pairs(index, subject, other);
 }
 
+FactIndex::Relation Compiler::facts_of(const kb::ClassConstraint& row) const {
+  return row.relation ? index_.relation(*row.relation) : FactIndex::Relation{};
+}
+
 /// Until the next call.
-std::span<const FactIndex::Held> Compiler::held(const kb::ClassConstraint& row, int a) {
-  if (row.relation) return index_.held(*row.relation, a);
+std::span<const FactIndex::Held> Compiler::held(const kb::ClassConstraint& row, const FactIndex::Relation& facts, int a) {
+  if (row.relation) return facts.held(a);
   all_.clear();
   for (int b = 0; b < planes(); ++b) {
     if (b != a) all_.push_back({b, 1});
@@ -123,10 +127,11 @@ std::span<const FactIndex::Held> Compiler::held(const kb::ClassConstraint& row, 
 
 void Compiler::add_some(int index, int subject, int other) {
   const kb::ClassConstraint& row = rows(index);
+  const FactIndex::Relation facts = facts_of(row);
   for (int a = 0; a < planes(); ++a) {
     if (label(a, subject) < 0) continue;
     engine::Requirement requirement{.literal = literal(a, subject), .supports = {}};
-    const std::span<const FactIndex::Held> others = held(row, a);
+    const std::span<const FactIndex::Held> others = held(row, facts, a);
     if (other >= 0) requirement.supports.reserve(others.size());
     for (const auto& [b, degree] : others) {
       if (!row.weight && degree < hold_) continue;
@@ -140,11 +145,12 @@ void Compiler::add_some(int index, int subject, int other) {
 void Compiler::add_count(int index, int subject, int other) {
   const kb::ClassConstraint& row = rows(index);
   const bool at_most = row.quantifier == Quantifier::at_most;
+  const FactIndex::Relation facts = facts_of(row);
   for (int a = 0; a < planes(); ++a) {
     if (label(a, subject) < 0) continue;
     engine::Cardinality body{.condition = literal(a, subject), .literals = {}};
     int others = 0;
-    for (const auto& [b, degree] : index_.held(*row.relation, a)) {
+    for (const auto& [b, degree] : facts.held(a)) {
       if (degree < hold_) continue;
       ++others;
       for_each_other(b, other, [&](Literal counted) { body.literals.push_back(counted); });

@@ -66,8 +66,10 @@ class Compiler {
     return !strict_ && a >= 0 && fixed_[at(a)] >= 0 ? kBrokenRow : engine::kHard;
   }
 
-  /// Planes b in the row's relation to a, with degrees; without a relation all others, fully.
-  [[nodiscard]] std::span<const FactIndex::Held> held(const kb::ClassConstraint& row, int a);
+  /// Of the row's relation; none without one.
+  [[nodiscard]] FactIndex::Relation facts_of(const kb::ClassConstraint& row) const;
+  /// Planes b in the row's relation, whose facts are given, to a, with degrees; without a relation all others, fully.
+  [[nodiscard]] std::span<const FactIndex::Held> held(const kb::ClassConstraint& row, const FactIndex::Relation& facts, int a);
   void add_some(int row, int subject, int other);
   void add_pairs(int row, int subject, int other);
   /// What the pairs of a row have in common. `others` is empty where the row speaks of planes of any class.
@@ -75,7 +77,18 @@ class Compiler {
     int row;
     std::vector<Literal> subjects, others;  // by plane
   };
-  void add_pair(const Pairs& pairs, int a, int b, double cost);
+  void add_pair(const Pairs& pairs, int a, int b, double cost) {
+    if (cost <= 0) return;
+    if (pairs.others.empty()) return add_table_of_pair(pairs, a, b, cost);
+    if (pairs.others[at(b)].label < 0) return;
+    conflicts_.push_back({cost, {pairs.subjects[at(a)], pairs.others[at(b)]}});
+    out.origins.push_back({.row = pairs.row, .a = a, .b = b});
+  }
+  void add_table_of_pair(const Pairs& pairs, int a, int b, double cost);
+  struct Degrees {
+    double forth, back;
+  };
+  [[nodiscard]] const std::vector<Degrees>& degrees_of(const std::string& relation);
   void add_conflicts(int row);
   [[nodiscard]] std::vector<Literal> literals_of(int object_class) const;
   void add_count(int row, int subject, int other);
@@ -85,12 +98,18 @@ class Compiler {
   void add_tuple(int row, int a, const std::vector<Literal>& members, double cost);
   void add_some_tuple(int row, Literal subject, int a, const std::vector<std::pair<std::vector<Literal>, double>>& tuples);
   Literal conjunction(std::vector<Literal> members);
-  const std::vector<std::pair<int, int>>& in_reach_of(const Reach& reach);
+  void find_pairs();
+  [[nodiscard]] const std::vector<std::pair<int, int>>& in_reach_of(const std::string& relation) const;
   [[nodiscard]] Reach reach_of(const std::string& relation) const {
     const auto found = facts_.reach.find(relation);
     return found == facts_.reach.end() ? Reach{} : found->second;
   }
-  [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const;
+  /// What a pair of the row costs in one direction; infinite = not allowed.
+  [[nodiscard]] double pair_cost(const kb::ClassConstraint& row, int a, double degree) const {
+    const bool every = row.quantifier == kb::Quantifier::every;
+    if (row.weight) return *row.weight * (every ? 1 - degree : degree);
+    return (degree >= hold_) == every ? 0 : hard_weight(a);
+  }
   int shared_table(int labels_a, int label_a, int labels_b, int spared_b);
 
   bool strict_;
@@ -104,7 +123,8 @@ class Compiler {
   std::vector<FactIndex::Held> all_;  // what held() gives for a row without a relation
   int fallback_;
   std::vector<int> fixed_;  // class of each plane that is known for certain, −1 = open
-  std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs_;  // by reach, made when a row needs them
+  std::map<std::pair<double, double>, std::vector<std::pair<int, int>>> pairs_;  // by reach, of the relations of `every`
+  std::map<std::string, std::vector<Degrees>> degrees_;                          // by relation, as pairs_
   std::map<std::tuple<int, int, int, int>, int> tables_;
   std::vector<engine::WeightedConflict> conflicts_;        // of the row at work
   std::map<kb::PlaneId, int> index_of_id_;                 // made when a Lua constraint needs it
