@@ -21,6 +21,7 @@ Vector3d any_across(const Vector3d& normal) {
 
 std::vector<Vector2d> seen_from_above(const perception::Ring& ring) {
   std::vector<Vector2d> out;
+  out.reserve(ring.size());
   for (const Vector3d& corner : ring) out.emplace_back(corner.x(), corner.y());
   return out;
 }
@@ -90,18 +91,42 @@ double edges_to_inside(const PlaneShape& a, const PlaneShape& b, double best) {
 
 }  // namespace
 
+BoxRow::BoxRow(std::span<const EdgeBlock> blocks) : size_(blocks.size()) {
+  bounds_.reserve(6 * size_);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (const EdgeBlock& block : blocks) bounds_.push_back(block.box.min()[axis]);
+    for (const EdgeBlock& block : blocks) bounds_.push_back(block.box.max()[axis]);
+  }
+}
+
+void BoxRow::put_squared_distances(const Box3& box, double* out) const {
+  const double *const x = bounds_.data(), *const y = x + 2 * size_, *const z = y + 2 * size_;
+  const Vector3d least = box.min(), most = box.max();
+  const auto apart = [this](double low, double high, const double* bounds, std::size_t i) {
+    const double one = low - bounds[size_ + i], other = bounds[i] - high, away = one < other ? other : one;
+    return away < 0 ? 0 : away;
+  };
+  for (std::size_t i = 0; i < size_; ++i) {
+    const double along_x = apart(least.x(), most.x(), x, i), along_y = apart(least.y(), most.y(), y, i), along_z = apart(least.z(), most.z(), z, i);
+    out[i] = along_x * along_x + along_y * along_y + along_z * along_z;
+  }
+}
+
 PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid), normal(plane.normal.normalized()) {
   u = any_across(normal);
   v = normal.cross(u);
+  Region flattened;
   const auto add = [&](const perception::Ring& ring) {
     std::vector<Vector2d> flat;
+    flat.reserve(ring.size());
+    edges.reserve(edges.size() + ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vector3d& next = ring[i + 1 == ring.size() ? 0 : i + 1];
       edges.push_back({ring[i], next, Box3(ring[i].cwiseMin(next), ring[i].cwiseMax(next))});
       box.extend(ring[i]);
       flat.emplace_back(u.dot(ring[i] - centroid), v.dot(ring[i] - centroid));
     }
-    if (!flat.empty()) in_plane.add_ring(std::move(flat));
+    if (!flat.empty()) flattened.add_ring(std::move(flat));
   };
   if (plane.hull.outer.empty()) {
     add({centroid});
@@ -109,11 +134,15 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
     add(plane.hull.outer);
     for (const perception::Ring& hole : plane.hull.holes) add(hole);
   }
+  const std::size_t count = (edges.size() + EdgeBlock::kMost - 1) / EdgeBlock::kMost;
+  blocks.reserve(count);
   for (std::size_t i = 0; i < edges.size(); i += EdgeBlock::kMost) {
     EdgeBlock block{i, std::min(i + EdgeBlock::kMost, edges.size()), {}};
     for (std::size_t k = i; k < block.end; ++k) block.box.extend(edges[k].box);
     blocks.push_back(block);
   }
+  block_boxes = BoxRow(blocks);
+  in_plane = EdgesByHeight(flattened);
   const bool flat_outline = plane.hull.outer.size() >= 3;
   steep = !flat_outline || std::abs(normal.z()) <= std::cos(kSteepDegrees * std::numbers::pi / 180);
   Region on_plan;
@@ -152,11 +181,14 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) 
   double best = most;
   std::vector<BlockPair> pairs;
   pairs.reserve(a.blocks.size() * b.blocks.size());
-  for (const EdgeBlock& p : a.blocks) {
-    if (squared_distance(p.box, b.box) >= best) continue;
-    for (const EdgeBlock& q : b.blocks) {
-      const double apart = squared_distance(p.box, q.box);
-      if (apart < best) pairs.push_back({apart, &p, &q});
+  std::vector<double> distances(a.blocks.size() + b.blocks.size());
+  double *const from_b = distances.data(), *const apart = from_b + a.blocks.size();
+  a.block_boxes.put_squared_distances(b.box, from_b);
+  for (std::size_t i = 0; i < a.blocks.size(); ++i) {
+    if (from_b[i] >= best) continue;
+    b.block_boxes.put_squared_distances(a.blocks[i].box, apart);
+    for (std::size_t j = 0; j < b.blocks.size(); ++j) {
+      if (apart[j] < best) pairs.push_back({apart[j], &a.blocks[i], &b.blocks[j]});
     }
   }
   const auto nearer = [](const BlockPair& x, const BlockPair& y) { return x.apart < y.apart; };
@@ -195,7 +227,7 @@ double hull_gap(const PlaneShape& a, const PlaneShape& b, const Limits& limits) 
 }
 
 double footprint_share(const PlaneShape& a, const PlaneShape& b, double reach, const Limits& limits) {
-  return limits(a.steep ? share_within(a.line, b.footprint.region(), reach) : share_within(a.footprint, b.footprint, reach, limits));
+  return limits(a.steep ? share_within(a.line, b.footprint, reach) : share_within(a.footprint, b.footprint, reach, limits));
 }
 
 }  // namespace scenelore::rules

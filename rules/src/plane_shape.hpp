@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+
+#include <span>
 #include <vector>
 
+#include "edges_by_height.hpp"
 #include "scanned_region.hpp"
 #include "scenelore/perception/plane.hpp"
 
@@ -26,6 +29,21 @@ struct EdgeBlock {
   Box3 box;
 };
 
+/// Boxes side by side, so that one box is compared with many at once.
+class BoxRow {
+ public:
+  BoxRow() = default;
+  explicit BoxRow(std::span<const EdgeBlock> blocks);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// Of each from `box`, squared; 0 where they meet. `out` has one place for each.
+  void put_squared_distances(const Box3& box, double* out) const;
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<double> bounds_;  // all least x, then all greatest x, then those of y and z
+};
+
 /// A plane without an outline is its centroid: a point.
 struct PlaneShape {
   explicit PlaneShape(const perception::Plane& plane);
@@ -34,7 +52,8 @@ struct PlaneShape {
   Box3 box;
   std::vector<Edge3> edges;                ///< of outer boundary and holes; one of length 0 for a point
   std::vector<EdgeBlock> blocks;           ///< of edges
-  Region in_plane;                         ///< outline in (u, v) from the centroid
+  BoxRow block_boxes;                      ///< of blocks
+  EdgesByHeight in_plane;                  ///< outline in (u, v) from the centroid
   ScannedRegion footprint;                 ///< outline seen from above; the line or point where `line` stands
   bool steep = false;                      ///< footprint is `line`
   Segment2 line;

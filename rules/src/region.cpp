@@ -13,26 +13,50 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-template <typename Visit>
-void for_each_edge(const Region& region, Visit visit) {
-  for (const std::vector<Vector2d>& ring : region.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
-  }
-}
-
 double ring_area(const std::vector<Vector2d>& ring) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   return std::abs(twice) / 2;
 }
 
-/// Where the line p + s·d (d of length 1) runs inside the region, by the even-odd rule.
-Intervals inside_on_line(const Region& region, const Vector2d& p, const Vector2d& d) {
+/// A line p + s·d (d of length 1) and on which side of it each corner lies, how far: most edges are soon seen to have nothing to do with it.
+class Line {
+ public:
+  Line(const Region& region, const Vector2d& p, const Vector2d& d) : region_(region), p_(p), d_(d) {
+    std::size_t corners = 0;
+    for (const std::vector<Vector2d>& ring : region.rings) corners += ring.size();
+    sides_.reserve(corners);
+    for (const std::vector<Vector2d>& ring : region.rings) {
+      for (const Vector2d& corner : ring) sides_.push_back(cross(d, corner - p));
+    }
+  }
+
+  [[nodiscard]] double along(const Vector2d& point) const { return d_.dot(point - p_); }
+  /// With the edge's ends and their sides.
+  template <typename Visit>
+  void for_each_edge(Visit visit) const {
+    const double* sides = sides_.data();
+    for (const std::vector<Vector2d>& ring : region_.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const std::size_t next = i + 1 == ring.size() ? 0 : i + 1;
+        visit(ring[i], ring[next], sides[i], sides[next]);
+      }
+      sides += ring.size();
+    }
+  }
+
+ private:
+  const Region& region_;
+  Vector2d p_, d_;
+  std::vector<double> sides_;  // by ring and corner
+};
+
+/// Where the line runs inside the region, by the even-odd rule.
+Intervals inside_on(const Line& line) {
   std::vector<double> crossings;
-  for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) {
-    const double side_from = cross(d, from - p), side_to = cross(d, to - p);
+  line.for_each_edge([&](const Vector2d& from, const Vector2d& to, double side_from, double side_to) {
     if ((side_from > 0) == (side_to > 0)) return;
-    const double along_from = d.dot(from - p), along_to = d.dot(to - p);
+    const double along_from = line.along(from), along_to = line.along(to);
     crossings.push_back(along_from + (along_to - along_from) * side_from / (side_from - side_to));
   });
   std::sort(crossings.begin(), crossings.end());
@@ -80,20 +104,20 @@ std::optional<std::pair<double, double>> near_edge(const Vector2d& p, const Vect
 
 /// Where the line runs inside the region or within `reach` of it, as far as that adds to `whole`.
 Intervals within_on_line(const Region& region, const Vector2d& p, const Vector2d& d, double reach, const Intervals& whole) {
-  Intervals out = inside_on_line(region, p, d);
+  const Line line(region, p, d);
+  Intervals out = inside_on(line);
   if (reach <= 0) return out;
   Lack lack(whole, out);
-  for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) {
-    if (lack.none()) return;
-    const double side_from = cross(d, from - p), side_to = cross(d, to - p);
-    if (std::min(side_from, side_to) > reach || std::max(side_from, side_to) < -reach) return;
-    const double along_from = d.dot(from - p), along_to = d.dot(to - p);
+  const auto add_near = [&](const Vector2d& from, const Vector2d& to, double side_from, double side_to) {
+    if (std::min(side_from, side_to) > reach || std::max(side_from, side_to) < -reach || lack.none()) return;
+    const double along_from = line.along(from), along_to = line.along(to);
     if (!lack.concerns(std::min(along_from, along_to) - reach, std::max(along_from, along_to) + reach)) return;
     if (const auto interval = near_edge(p, d, from, to, reach)) {
       out.push_back(*interval);
       lack.fill(*interval);
     }
-  });
+  };
+  if (!lack.none()) line.for_each_edge(add_near);
   merge(out);
   return out;
 }
@@ -123,11 +147,6 @@ std::optional<double> crossing_height(const Edge& e, const Edge& f) {
   const double s = cross(f.low - e.low, g) / denominator, t = cross(f.low - e.low, d) / denominator;
   if (s <= 0 || s >= 1 || t <= 0 || t >= 1) return std::nullopt;
   return e.low.y() + s * d.y();
-}
-
-bool crosses_box(const Vector2d& from, const Vector2d& to, const Box2& box) {
-  return std::max(from.x(), to.x()) >= box.min().x() && std::min(from.x(), to.x()) <= box.max().x() &&
-         std::max(from.y(), to.y()) >= box.min().y() && std::min(from.y(), to.y()) <= box.max().y();
 }
 
 }  // namespace
@@ -186,11 +205,7 @@ double Region::area() const {
 bool Region::contains(const Eigen::Vector2d& point) const {
   if (!box.contains(point)) return false;
   bool inside = false;
-  for_each_edge(*this, [&](const Vector2d& from, const Vector2d& to) {
-    if ((from.y() > point.y()) == (to.y() > point.y())) return;
-    const double x = from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y());
-    if (point.x() < x) inside = !inside;
-  });
+  for_each_edge(*this, [&](const Vector2d& from, const Vector2d& to) { inside ^= is_left_of(point, from, to); });
   return inside;
 }
 
@@ -210,7 +225,7 @@ double shared_area(const Region& a, const Region& b) {
     heights.push_back(std::clamp(edge.high.y(), y_low, y_high));
   }
   for (std::size_t i = 0; i < of_a; ++i) {
-    if (!crosses_box(edges[i].low, edges[i].high, b.box)) continue;
+    if (!meets_box(edges[i].low, edges[i].high, b.box)) continue;
     for (std::size_t j = of_a; j < edges.size(); ++j) {
       if (const auto y = crossing_height(edges[i], edges[j])) heights.push_back(std::clamp(*y, y_low, y_high));
     }

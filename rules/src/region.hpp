@@ -53,6 +53,25 @@ struct Region {
   [[nodiscard]] bool contains(const Eigen::Vector2d& point) const;
 };
 
+template <typename Visit>
+void for_each_edge(const Region& region, Visit visit) {
+  for (const std::vector<Eigen::Vector2d>& ring : region.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+  }
+}
+
+/// Whether the ray from the point along x crosses the edge: it does so with an odd number of a region's edges where the point is inside.
+[[nodiscard]] inline bool is_left_of(const Eigen::Vector2d& point, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  if ((from.y() > point.y()) == (to.y() > point.y())) return false;
+  return point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y());
+}
+
+/// Whether the box around an edge meets the given one.
+[[nodiscard]] inline bool meets_box(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Box2& box) {
+  return std::max(from.x(), to.x()) >= box.min().x() && std::min(from.x(), to.x()) <= box.max().x() &&
+         std::max(from.y(), to.y()) >= box.min().y() && std::min(from.y(), to.y()) <= box.max().y();
+}
+
 /// A straight line piece; length 0 is a point.
 struct Segment2 {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();

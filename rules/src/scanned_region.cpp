@@ -14,7 +14,7 @@ using Interval = std::pair<double, double>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The edges that a line along x meets, or comes within a margin of, while it rises.
+/// The edges that a line along x comes within a margin of, while it rises.
 class Sweep {
  public:
   /// `by_low` must live as long.
@@ -47,12 +47,15 @@ class Sweep {
   std::vector<const Level*> active_;
 };
 
-/// Where the line at height y runs inside, by the even-odd rule, from the edges that it may meet. `crossings` is scratch.
-void add_inside(const std::vector<const Level*>& edges, double y, std::vector<double>& crossings, Intervals& out) {
+/// Where the line at height y runs inside, by the even-odd rule. `crossings` is scratch.
+void add_inside(const EdgesByHeight& edges, double y, std::vector<double>& crossings, Intervals& out) {
   crossings.clear();
-  for (const Level* edge : edges) {
-    if (y < edge->low || y >= edge->high) continue;
-    crossings.push_back(edge->from.x() + (edge->to.x() - edge->from.x()) * (y - edge->from.y()) / (edge->to.y() - edge->from.y()));
+  for (const auto& [from, to] : edges.at(y)) {
+    if ((from.y() > y) != (to.y() > y)) crossings.push_back(from.x() + (to.x() - from.x()) * (y - from.y()) / (to.y() - from.y()));
+  }
+  if (crossings.size() == 2) {  // mostly
+    out.push_back(std::minmax(crossings[0], crossings[1]));
+    return;
   }
   std::sort(crossings.begin(), crossings.end());
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) out.emplace_back(crossings[i], crossings[i + 1]);
@@ -106,13 +109,11 @@ std::optional<double> decide(double least, double most, double area, const Limit
 /// How much of the lines through `a` lies within `reach` of b.
 class Shares {
  public:
-  Shares(const ScannedRegion& a, const ScannedRegion& b, double reach) : reach_(reach) {
+  Shares(const ScannedRegion& a, const ScannedRegion& b, double reach) : b_(b), reach_(reach) {
     const Box2 around(a.box().min().array() - reach, a.box().max().array() + reach);
-    crossed_.reserve(b.levels().size());
     close_.reserve(b.levels().size());
     for (const Level& edge : b.levels()) {
       if (edge.low > around.max().y()) break;
-      if (edge.high >= a.box().min().y() && edge.low <= a.box().max().y()) crossed_.push_back(&edge);
       const bool reaches = edge.high >= around.min().y() && edge.low <= around.max().y() && edge.right >= around.min().x() && edge.left <= around.max().x();
       if (reaches) close_.push_back(&edge);
     }
@@ -121,7 +122,7 @@ class Shares {
   /// The share of an area, of which `for_each_line` visits lines from below. Ends when the limits tell the answer.
   template <typename ForEachLine>
   [[nodiscard]] double of(double area, ForEachLine for_each_line, const Slabs& slabs, const SharedSlabs& plain, const Limits& limits) {
-    Sweep inside_b(crossed_, 0), near_b(close_, reach_);
+    Sweep near_b(close_, reach_);
     double all = 0, shared = 0;
     std::optional<double> decided;
     std::size_t slab = 0;
@@ -134,7 +135,7 @@ class Shares {
       all += line.length * line.height;
       if (line.inside.empty() || plain.part[slab] == SharedSlabs::Part::none) return true;
       const bool is_all = plain.part[slab] == SharedSlabs::Part::all;
-      shared += (is_all ? line.length : shared_on(line, inside_b.at(line.y), near_b)) * line.height;
+      shared += (is_all ? line.length : shared_on(line, near_b)) * line.height;
       return true;
     });
     return decided ? *decided : all > 0 ? std::clamp(shared / all, 0.0, 1.0) : 0;
@@ -142,9 +143,9 @@ class Shares {
 
  private:
   /// Length on the line that a has and b has or is near to.
-  double shared_on(const CutLine& line, const std::vector<const Level*>& crossed, Sweep& near_b) {
+  double shared_on(const CutLine& line, Sweep& near_b) {
     of_b_.clear();
-    add_inside(crossed, line.y, crossings_, of_b_);
+    add_inside(b_.edges(), line.y, crossings_, of_b_);
     const double shared = shared_length(line.inside, of_b_);
     if (shared >= line.length) return shared;  // b itself has all of it, whatever is near
     const std::size_t inside = of_b_.size();
@@ -172,18 +173,12 @@ class Shares {
     return false;
   }
 
+  const ScannedRegion& b_;
   double reach_;
-  std::vector<const Level*> crossed_, close_;  // edges of b beside a; that may be within reach of it
+  std::vector<const Level*> close_;  // edges of b that may be within reach of a
   std::vector<double> crossings_;
   Intervals of_b_;
 };
-
-std::vector<const Level*> pointers_to(const std::vector<Level>& levels) {
-  std::vector<const Level*> out;
-  out.reserve(levels.size());
-  for (const Level& level : levels) out.push_back(&level);
-  return out;
-}
 
 std::vector<double> even_slabs(const Box2& box) {
   std::vector<double> cuts;
@@ -194,8 +189,6 @@ std::vector<double> even_slabs(const Box2& box) {
 /// Visits the lines through the slabs between the given heights, from below, until `visit` returns false.
 template <typename Visit>
 void cut_lines(const ScannedRegion& region, const std::vector<double>& heights, Visit visit) {
-  const std::vector<const Level*> edges = pointers_to(region.levels());
-  Sweep sweep(edges, 0);
   std::vector<double> crossings;
   Intervals inside;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
@@ -203,7 +196,7 @@ void cut_lines(const ScannedRegion& region, const std::vector<double>& heights, 
     for (int k = 0; k < ScannedRegion::kLinesPerSlab; ++k) {
       const double y = heights[i] + (k + 0.5) * height;
       inside.clear();
-      add_inside(sweep.at(y), y, crossings, inside);
+      add_inside(region.edges(), y, crossings, inside);
       if (!visit(CutLine{y, height, length_of(inside), inside})) return;
     }
   }
@@ -216,6 +209,7 @@ std::vector<double> jumps(const ScannedRegion& a, const ScannedRegion& b, double
   const double low = a.box().min().y(), high = a.box().max().y();
   std::vector<double> heights;
   if (a.levels().size() > kMost) return heights;
+  heights.reserve(kMost + 3);
   for (const Level& edge : a.levels()) heights.push_back(edge.from.y());
   for (const Level& edge : b.levels()) {
     for (const double move : {-reach, 0.0, reach}) {
@@ -236,8 +230,9 @@ void CutLines::add(const CutLine& line) {
   area_ += line.length * line.height;
 }
 
-ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(region_.area()) {
+ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(region_.area()), edges_(region_) {
   for (const std::vector<Eigen::Vector2d>& ring : region_.rings) {
+    levels_.reserve(levels_.size() + ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Eigen::Vector2d &from = ring[i], &to = ring[i + 1 == ring.size() ? 0 : i + 1], d = to - from;
       const double length = d.norm();
@@ -247,14 +242,6 @@ ScannedRegion::ScannedRegion(Region region) : region_(std::move(region)), area_(
     }
   }
   std::stable_sort(levels_.begin(), levels_.end(), [](const Level& e, const Level& f) { return e.low < f.low; });
-}
-
-bool ScannedRegion::boundary_enters(const Box2& box) const {
-  for (const Level& edge : levels_) {
-    if (edge.low > box.max().y()) return false;
-    if (edge.high >= box.min().y() && edge.right >= box.min().x() && edge.left <= box.max().x()) return true;
-  }
-  return false;
 }
 
 const CutLines& ScannedRegion::even_lines() const {
@@ -276,8 +263,8 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   if (a.box().isEmpty() || b.box().isEmpty()) return 0;
   const Box2 grown(b.box().min().array() - reach, b.box().max().array() + reach);
   if (!a.box().intersects(grown)) return 0;
-  if (!b.boundary_enters(a.box())) {  // b's outline stays clear of a: all of a is inside, or none of it
-    if (b.region().contains(a.box().center())) return 1;
+  if (!b.edges().enter(a.box())) {  // b's outline stays clear of a: all of a is inside, or none of it
+    if (b.edges().contains(a.box().center())) return 1;
     if (reach <= 0) return 0;
   }
   if (a.area() <= 0) return 0;
@@ -294,6 +281,15 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return share([&](auto visit) { cut_lines(a, cuts, visit); });
+}
+
+/// Where b's outline stays out of reach, all of the segment is inside or none of it.
+double share_within(const Segment2& a, const ScannedRegion& b, double reach) {
+  constexpr double kRounding = 1e-6;  // metres, far above that of where a line is crossed
+  const double clear = std::max(reach, 0.0) + kRounding;
+  const Box2 around(a.from.cwiseMin(a.to).array() - clear, a.from.cwiseMax(a.to).array() + clear);
+  if (!b.edges().enter(around)) return b.edges().contains(a.from) ? 1 : 0;
+  return share_within(a, b.region(), reach);
 }
 
 double share_within(const Region& a, const Region& b, double reach) { return share_within(ScannedRegion(a), ScannedRegion(b), reach); }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "edges_by_height.hpp"
 #include "slabs.hpp"
 
 namespace scenelore::rules {
@@ -58,8 +59,7 @@ class ScannedRegion {
   [[nodiscard]] const Box2& box() const { return region_.box; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }  ///< by rising `low`
-  /// Whether any edge's box meets the given one.
-  [[nodiscard]] bool boundary_enters(const Box2& box) const;
+  [[nodiscard]] const EdgesByHeight& edges() const { return edges_; }
 
   static constexpr int kLinesPerSlab = 4;
   /// Both are computed when first asked for, by whichever thread.
@@ -76,10 +76,13 @@ class ScannedRegion {
   Region region_;
   double area_ = 0;
   std::vector<Level> levels_;
+  EdgesByHeight edges_;
   std::unique_ptr<Later> later_ = std::make_unique<Later>();  // does not move with the region
 };
 
-/// As share_within of regions, for regions that are asked about again.
+/// As share_within of regions, for regions that are asked about again; the very same numbers.
 [[nodiscard]] double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach, const Limits& limits = {});
+
+[[nodiscard]] double share_within(const Segment2& a, const ScannedRegion& b, double reach);
 
 }  // namespace scenelore::rules

@@ -20,7 +20,7 @@ PlaneShape shape(const MadePlane& made) { return PlaneShape(make_plane(made)); }
 double sampled_gap(const PlaneShape& a, const PlaneShape& b, int steps) {
   const auto points = [&](const PlaneShape& s) {
     std::vector<Vector3d> out;
-    const Box2& box = s.in_plane.box;
+    const Box2& box = s.in_plane.box();
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps; ++j) {
         const Eigen::Vector2d p = box.min() + box.sizes().cwiseProduct(Eigen::Vector2d(i, j) / steps);
@@ -93,6 +93,22 @@ TEST(PlaneShape, HasBetweenLimitsTheGapThatItHasWithoutThem) {
       EXPECT_GE(told, std::min(exact, limits.high)) << round << ": what is told below the limits is a bound for other questions";
     }
   }
+}
+
+TEST(BoxRow, HasTheDistanceOfEachBox) {
+  std::mt19937 random(4);
+  const auto point = [&] { return Vector3d(static_cast<double>(random() % 1000), static_cast<double>(random() % 1000), static_cast<double>(random() % 1000)); };
+  const auto box = [&] {
+    const Vector3d a = point(), b = point();
+    return Box3(a.cwiseMin(b), a.cwiseMax(b));
+  };
+  std::vector<EdgeBlock> blocks(101);
+  for (EdgeBlock& block : blocks) block.box = box();
+  const BoxRow row(blocks);
+  std::vector<double> apart(row.size());
+  const Box3 from = box();
+  row.put_squared_distances(from, apart.data());
+  for (std::size_t i = 0; i < blocks.size(); ++i) EXPECT_DOUBLE_EQ(apart[i], blocks[i].box.squaredExteriorDistance(from));
 }
 
 TEST(PairGeometry, KnowsWhatItFoundOutBetweenOtherLimits) {

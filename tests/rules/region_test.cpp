@@ -163,6 +163,53 @@ TEST(Region, SharesLengthAsManyPointsOnALineSay) {
   }
 }
 
+TEST(EdgesByHeight, ContainWhatTheRegionContains) {
+  std::mt19937 random(21);
+  const auto uniform = [&] { return static_cast<double>(random() % 4000) / 1000 - 2; };
+  for (int round = 0; round < 200; ++round) {
+    const Region region = blob(random, {0, 0}, round % 2 == 0, 3 + round);
+    const EdgesByHeight edges(region);
+    std::vector<Vector2d> points = region.rings[0];  // heights of corners, too
+    for (int i = 0; i < 100; ++i) points.emplace_back(uniform(), uniform());
+    for (const Vector2d& p : points) ASSERT_EQ(edges.contains(p), region.contains(p)) << "round " << round << " at " << p.transpose();
+  }
+}
+
+TEST(EdgesByHeight, EnterTheBoxesThatAnyEdgesBoxMeets) {
+  std::mt19937 random(22);
+  const auto uniform = [&] { return static_cast<double>(random() % 4000) / 1000 - 2; };
+  for (int round = 0; round < 500; ++round) {
+    const Region region = blob(random, {0, 0}, round % 2 == 0, 3 + round % 90);
+    const Vector2d at(uniform(), uniform()), size = Vector2d(uniform() + 2, uniform() + 2) / (1 + round % 40);
+    const Box2 box(at, at + size);
+    bool any = false;
+    for_each_edge(region, [&](const Vector2d& from, const Vector2d& to) { any = any || Box2(from.cwiseMin(to), from.cwiseMax(to)).intersects(box); });
+    ASSERT_EQ(EdgesByHeight(region).enter(box), any) << "round " << round;
+  }
+}
+
+TEST(EdgesByHeight, AreNoneOfAnEmptyRegionAndAllOfALevelLine) {
+  EXPECT_FALSE(EdgesByHeight().contains({0, 0}));
+  EXPECT_FALSE(EdgesByHeight(Region()).enter(Box2(Vector2d(-1, -1), Vector2d(1, 1))));
+  Region line;
+  line.add_ring({{0, 1}, {2, 1}});
+  EXPECT_EQ(EdgesByHeight(line).at(1).size(), 2);
+  EXPECT_FALSE(EdgesByHeight(line).contains({1, 1}));
+  EXPECT_TRUE(EdgesByHeight(line).enter(Box2(Vector2d(1, 0), Vector2d(3, 1))));
+}
+
+TEST(ScannedRegion, SharesTheSameBitsOfSegmentsAsTheRegion) {
+  std::mt19937 random(23);
+  const auto uniform = [&] { return static_cast<double>(random() % 4000) / 1000 - 2; };
+  for (int round = 0; round < 2000; ++round) {
+    const ScannedRegion b(blob(random, {0, 0}, round % 2 == 0, 3 + round % 60));
+    const Vector2d from(uniform(), uniform());
+    const Segment2 a{from, round % 7 == 0 ? from : Vector2d(from + Vector2d(uniform(), uniform()) / (1 + round % 5))};
+    const double reach = round % 3 == 0 ? 0 : 0.05 * (round % 4);
+    ASSERT_EQ(share_within(a, b, reach), share_within(a, b.region(), reach)) << "round " << round;
+  }
+}
+
 TEST(Region, HasValuesForPointsAndLines) {
   const Region square = rectangle(0, 0, 1, 1);
   EXPECT_EQ(share_within(Segment2{{0.5, 0.5}, {0.5, 0.5}}, square, 0), 1);
