@@ -1,12 +1,10 @@
 #include "pair_geometry.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <numbers>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "scenelore/perception/parallel.hpp"
@@ -21,6 +19,8 @@ struct Entry {
   double reach, low, high;
 };
 static_assert(sizeof(Entry) == 32);
+
+constexpr double kUnknown = -1;  ///< no angle
 
 }  // namespace
 
@@ -50,24 +50,27 @@ std::vector<Box3> boxes_of(const std::vector<perception::Plane>& planes) {
   return boxes;
 }
 
-std::size_t PairGeometry::Hash::operator()(const Key& key) const {
-  std::uint64_t h = (static_cast<std::uint64_t>(key.a) << 32) ^ static_cast<std::uint64_t>(key.b);
-  h ^= std::bit_cast<std::uint64_t>(key.reach) >> 7;
-  h *= 0x9e3779b97f4a7c15u;
-  return static_cast<std::size_t>(h ^ (h >> 29));
-}
-
-double PairGeometry::angle(int a, int b) const {
-  const Eigen::Vector3d &n = shape(a).normal, &m = shape(b).normal;
-  return std::atan2(n.cross(m).norm(), std::abs(n.dot(m))) * 180 / std::numbers::pi;
+double PairGeometry::angle(int a, int b) {
+  constexpr std::size_t kMostPlanes = 1000;  // so that what is kept stays below 4 MB
+  const auto compute = [&] {
+    const Eigen::Vector3d &n = shape(a).normal, &m = shape(b).normal;
+    return std::atan2(n.cross(m).norm(), std::abs(n.dot(m))) * 180 / std::numbers::pi;
+  };
+  if (known_.size() < planes_->size()) grow();
+  if (known_.size() > kMostPlanes) return compute();
+  const auto smaller = static_cast<std::size_t>(std::min(a, b)), further = static_cast<std::size_t>(std::abs(a - b));
+  std::vector<double>& angles = known_[smaller].angles;
+  if (angles.size() <= further) angles.resize(known_.size() - smaller, kUnknown);
+  if (angles[further] == kUnknown) angles[further] = compute();
+  return angles[further];
 }
 
 /// The limits tell what must be known; what is found out is kept.
 template <typename Compute>
-double PairGeometry::known_or(const Key& key, const Limits& limits, Compute compute) {
+double PairGeometry::known_or(const KnownRanges::Key& key, const Limits& limits, Compute compute) {
   if (known_.size() < planes_->size()) grow();
   Known& known = known_[static_cast<std::size_t>(std::min(key.a, key.b))];
-  Range& range = known.ranges[key];
+  KnownRanges::Range& range = known.ranges.of(key);
   if (range.low == range.high) return limits(range.low);
   if (range.low >= limits.high) return limits.high;
   if (range.high <= limits.low) return limits.low;
@@ -100,11 +103,17 @@ double PairGeometry::centroid_distance(int a, int b) const { return (shape(a).ce
 
 std::string PairGeometry::answers() const {
   std::vector<Entry> entries;
+  std::size_t count = 0;
+  for (const Known& known : known_) count += known.ranges.size();
+  entries.reserve(count);
   for (const Known& known : known_) {
-    for (const auto& [key, range] : known.ranges) entries.push_back({key.a, key.b, key.reach, range.low, range.high});
+    known.ranges.for_each([&](const KnownRanges::Key& key, const KnownRanges::Range& range) {
+      entries.push_back({key.a, key.b, key.reach, range.low, range.high});
+    });
   }
+  const auto pair = [](const Entry& e) { return (static_cast<std::int64_t>(e.a) << 32) + e.b; };  // compared at once
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& e, const Entry& f) { return std::tie(e.a, e.b, e.reach) < std::tie(f.a, f.b, f.reach); });
+            [&](const Entry& e, const Entry& f) { return pair(e) != pair(f) ? pair(e) < pair(f) : e.reach < f.reach; });
   return {reinterpret_cast<const char*>(entries.data()), entries.size() * sizeof(Entry)};
 }
 
@@ -114,7 +123,7 @@ void PairGeometry::remember(std::string_view answers) {
     std::memcpy(&entry, answers.data(), sizeof entry);
     const bool sane = entry.a >= 0 && entry.b >= 0 && entry.a < size() && entry.b < size() && entry.low >= 0 && entry.low <= entry.high;
     if (!sane) continue;
-    known_[static_cast<std::size_t>(std::min(entry.a, entry.b))].ranges.try_emplace(Key{entry.a, entry.b, entry.reach}, Range{entry.low, entry.high});
+    known_[static_cast<std::size_t>(std::min(entry.a, entry.b))].ranges.of({entry.a, entry.b, entry.reach}) = {entry.low, entry.high};
   }
 }
 
@@ -143,36 +152,17 @@ struct Apart {
 bool in_reach(const Box3& a, const Box3& b, double within, double within_plan) { return Apart(a, b).within({within, within_plan}); }
 
 std::vector<Pairs> pairs_in_reach(const std::vector<Box3>& boxes, std::span<const Reach> reaches) {
-  std::vector<int> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto box = [&](int i) -> const Box3& { return boxes[static_cast<std::size_t>(i)]; };
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return std::pair(box(i).min().x(), i) < std::pair(box(j).min().x(), j); });
   double furthest = 0;
   for (const Reach& reach : reaches) furthest = std::max(furthest, std::min(reach.within, reach.within_plan));
-  struct Partner {
-    int index;
-    Apart apart;
-  };
-  std::vector<std::vector<Partner>> partners(boxes.size());  // by the smaller index
-  std::vector<int> open;  // those that may still reach what comes further along x
-  for (const int i : order) {
-    std::erase_if(open, [&](int j) { return box(j).max().x() + furthest < box(i).min().x(); });
-    for (const int j : open) {
-      const Apart apart(box(i), box(j));
-      if (apart.seen_from_above <= furthest * furthest) partners[static_cast<std::size_t>(std::min(i, j))].push_back({std::max(i, j), apart});
-    }
-    open.push_back(i);
-  }
-  for (std::vector<Partner>& of : partners) {
-    std::sort(of.begin(), of.end(), [](const Partner& p, const Partner& q) { return p.index < q.index; });
-  }
-  std::vector<Pairs> out;
-  for (const Reach& reach : reaches) {
-    Pairs& pairs = out.emplace_back();
-    for (std::size_t i = 0; i < partners.size(); ++i) {
-      for (const Partner& partner : partners[i]) {
-        if (partner.apart.within(reach)) pairs.emplace_back(static_cast<int>(i), partner.index);
+  furthest = furthest * (1 + 1e-9) + 1e-9;  // whatever is rounded where
+  std::vector<Pairs> out(reaches.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const double left = boxes[i].min().x() - furthest, right = boxes[i].max().x() + furthest;
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (boxes[j].max().x() < left || boxes[j].min().x() > right) continue;
+      const Apart apart(boxes[i], boxes[j]);
+      for (std::size_t r = 0; r < reaches.size(); ++r) {
+        if (apart.within(reaches[r])) out[r].emplace_back(static_cast<int>(i), static_cast<int>(j));
       }
     }
   }

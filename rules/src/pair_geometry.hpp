@@ -1,16 +1,14 @@
 // Geometry between the planes of a scene, each answer computed once: what `geometry` offers to Lua.
 #pragma once
 
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "known_ranges.hpp"
 #include "plane_shape.hpp"
 #include "scenelore/rules/rule_set.hpp"
 
@@ -29,7 +27,7 @@ class PairGeometry {
   [[nodiscard]] const PlaneShape& shape(int i) const;
 
   /// Degrees between the two planes, 0 (parallel) to 90; the side a normal points to does not matter.
-  [[nodiscard]] double angle(int a, int b) const;
+  [[nodiscard]] double angle(int a, int b);
   /// Metres, smallest distance of the hulls; see hull_gap.
   [[nodiscard]] double gap(int a, int b, const Limits& limits = {});
   /// See footprint_share.
@@ -51,26 +49,15 @@ class PairGeometry {
   [[nodiscard]] bool has_news() const;
 
  private:
-  struct Key {
-    int a, b;
-    double reach;  ///< −1 stands for `gap`
-    bool operator==(const Key&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Key& key) const;
-  };
-  /// Where an answer lies; it is exact where the two are the same.
-  struct Range {
-    double low = 0, high = std::numeric_limits<double>::infinity();
-  };
   /// Of the pairs of which one plane has the smaller index.
   struct Known {
-    std::unordered_map<Key, Range, Hash> ranges;  // its own order never shows
+    KnownRanges ranges;
+    std::vector<double> angles;  ///< by how much greater the other index is: several relations ask for each
     bool has_news = false;
   };
 
   template <typename Compute>
-  double known_or(const Key& key, const Limits& limits, Compute compute);
+  double known_or(const KnownRanges::Key& key, const Limits& limits, Compute compute);
   /// To the number of planes: those of a test file come one by one.
   void grow();
 
@@ -85,7 +72,7 @@ class PairGeometry {
 using Pairs = std::vector<std::pair<int, int>>;  ///< i < j, rising
 
 /// Pairs whose boxes are at most `within` metres apart, and at most `within_plan` seen from above; infinite = no limit. One list
-/// for each of `reaches`. Sweeps along x once for all, so that far ones are never looked at.
+/// for each of `reaches`, all in one go.
 [[nodiscard]] std::vector<Pairs> pairs_in_reach(const std::vector<Box3>& boxes, std::span<const Reach> reaches);
 [[nodiscard]] Pairs pairs_in_reach(const std::vector<Box3>& boxes, double within, double within_plan);
 

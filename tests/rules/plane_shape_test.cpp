@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
+#include <tuple>
 
 #include "pair_geometry.hpp"
 #include "scenelore/rules/made_plane.hpp"
@@ -109,6 +111,26 @@ TEST(BoxRow, HasTheDistanceOfEachBox) {
   const Box3 from = box();
   row.put_squared_distances(from, apart.data());
   for (std::size_t i = 0; i < blocks.size(); ++i) EXPECT_DOUBLE_EQ(apart[i], blocks[i].box.squaredExteriorDistance(from));
+}
+
+TEST(KnownRanges, KeepsOneRangeForEachQuestion) {
+  std::mt19937 random(6);
+  KnownRanges ranges;
+  std::map<std::tuple<int, int, double>, double> expected;
+  for (int i = 0; i < 5000; ++i) {
+    const int a = static_cast<int>(random() % 20), b = static_cast<int>(random() % 20);
+    const double reach = 0.25 * static_cast<double>(random() % 5) - 1, low = static_cast<double>(i);
+    const auto [known, fresh] = expected.try_emplace({a, b, reach}, 0);
+    EXPECT_EQ(ranges.of({a, b, reach}).low, known->second);
+    ranges.of({a, b, reach}).low = known->second = low;
+  }
+  EXPECT_EQ(ranges.size(), expected.size());
+  std::size_t seen = 0;
+  ranges.for_each([&](const KnownRanges::Key& key, const KnownRanges::Range& range) {
+    EXPECT_EQ(range.low, (expected.at({key.a, key.b, key.reach})));
+    ++seen;
+  });
+  EXPECT_EQ(seen, expected.size());
 }
 
 TEST(PairGeometry, KnowsWhatItFoundOutBetweenOtherLimits) {
