@@ -183,7 +183,7 @@ using PairFunction = double (*)(PairGeometry&, int a, int b, lua_State*);
 template <PairFunction function>
 int pair_function(lua_State* state) {
   RuleHost& host = host_of(state);
-  const int a = plane_argument(state, 1), b = plane_argument(state, 2);
+  const int a = plane_argument(state, host, 1), b = plane_argument(state, host, 2);
   lua_pushnumber(state, function(*host.geometry, a, b, state));
   return 1;
 }
@@ -250,8 +250,7 @@ int plane_argument_or_none(lua_State* state, int argument) {
   return index;
 }
 
-int plane_argument(lua_State* state, int argument) {
-  const RuleHost& host = host_of(state);
+int plane_argument(lua_State* state, const RuleHost& host, int argument) {
   const void* address = lua_topointer(state, argument);
   for (const int asked : host.asked_about) {
     if (asked >= 0 && address == host.addresses[static_cast<std::size_t>(asked)]) return asked;

@@ -169,33 +169,41 @@ double plain_degree(lua_State* state) {
 
 }  // namespace
 
+namespace {
+
+/// Where answer_batch keeps on the stack what all its questions need: sooner found than in the registry.
+enum Place : int { kBatch = 1, kApplies, kDegree, kSelf };
+
+}  // namespace
+
 /// Inside a protected call: an error ends it.
 double RuleFile::answer(lua_State* state, int a, int b) {
   host_->lua.start_counting();
   host_->asked_about = {a, b};
-  const auto call = [&](int function) {
-    lua_rawgeti(state, LUA_REGISTRYINDEX, function);
-    push_plane(*host_, a);
-    push_plane(*host_, b);
-    lua_rawgeti(state, LUA_REGISTRYINDEX, self_);
+  const auto push_planes = [&] {
+    for (const int plane : {a, b}) lua_rawgeti(state, LUA_REGISTRYINDEX, host_->planes[static_cast<std::size_t>(plane)]);
+  };
+  const auto call = [&](Place function) {
+    lua_pushvalue(state, function);
+    push_planes();
+    lua_pushvalue(state, kSelf);
     lua_call(state, 3, 1);
   };
   bool may = true;
   if (applies_ != LUA_NOREF) {
-    call(applies_);
+    call(kApplies);
     const bool plain = lua_type(state, -1) == LUA_TBOOLEAN;
     may = plain && lua_toboolean(state, -1) != 0;
     lua_pop(state, 1);
     if (plain && !may) return 0;
   }
   if (may) {
-    call(degree_);
+    call(kDegree);
     const double degree = plain_degree(state);
     if (degree >= 0) return degree;
   }
   lua_rawgeti(state, LUA_REGISTRYINDEX, ask_);
-  push_plane(*host_, a);
-  push_plane(*host_, b);
+  push_planes();
   lua_call(state, 2, 1);
   const double degree = lua_tonumber(state, -1);
   lua_pop(state, 1);
@@ -203,17 +211,24 @@ double RuleFile::answer(lua_State* state, int a, int b) {
 }
 
 int RuleFile::answer_batch(lua_State* state) {
-  Batch& batch = *static_cast<Batch*>(lua_touserdata(state, 1));
+  Batch& batch = *static_cast<Batch*>(lua_touserdata(state, kBatch));
+  RuleFile& file = *batch.file;
+  for (const int reference : {file.applies_, file.degree_, file.self_}) lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
   for (; batch.at < batch.pairs.size(); ++batch.at) {
-    batch.degrees[batch.at] = batch.file->answer(state, batch.pairs[batch.at].first, batch.pairs[batch.at].second);
+    batch.degrees[batch.at] = file.answer(state, batch.pairs[batch.at].first, batch.pairs[batch.at].second);
   }
   return 0;
 }
 
 void RuleFile::degrees(std::span<const std::pair<int, int>> pairs, double* degrees) {
-  for (const auto& [a, b] : pairs) {  // what memory is used for planes is not the rule's
-    make_known(*host_, a);
-    make_known(*host_, b);
+  const auto known = [&](int plane) {
+    const auto at = static_cast<std::size_t>(plane);
+    return at < host_->planes.size() && host_->planes[at] != LUA_NOREF;
+  };
+  for (const auto& pair : pairs) {  // what memory is used for planes is not the rule's
+    for (const int plane : {pair.first, pair.second}) {
+      if (!known(plane)) make_known(*host_, plane);
+    }
   }
   Batch batch{this, pairs, degrees};
   lua_pushcfunction(host_->lua.get(), answer_batch);

@@ -62,7 +62,7 @@ void make_known(RuleHost& host, int index);
 void push_plane(RuleHost& host, int index);
 
 /// Index of the plane at stack position `argument` of a geometry function. Throws Error naming that when it is something else.
-[[nodiscard]] int plane_argument(lua_State* state, int argument);
+[[nodiscard]] int plane_argument(lua_State* state, const RuleHost& host, int argument);
 
 /// The same; −1 for something else.
 [[nodiscard]] int plane_argument_or_none(lua_State* state, int argument);
