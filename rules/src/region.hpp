@@ -82,7 +82,7 @@ struct Segment2 {
 [[nodiscard]] double shared_area(const Region& a, const Region& b);
 
 /// Share of `a`'s area that is inside `b` or within `reach` metres of it, in [0, 1]. Exact for reach 0; with a reach the
-/// area is integrated over 64 lines or more across `a`, each of them exact. For regions that are asked about again, see ScannedRegion.
+/// area is integrated over 32 lines or more across `a`, each of them exact (Gauss–Legendre, two a slab). For regions that are asked about again, see ScannedRegion.
 [[nodiscard]] double share_within(const Region& a, const Region& b, double reach);
 
 /// Share of a segment that is inside `b` or within `reach` of it, in [0, 1]; exact. A point gives 0 or 1.

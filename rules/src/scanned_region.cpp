@@ -13,6 +13,7 @@ using Level = ScannedRegion::Level;
 using Interval = std::pair<double, double>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kGauss = 0.57735026918962576;  // 1 / √3: two lines so far from the middle are exact for cubic widths (Gauss–Legendre)
 
 /// The edges that a line along x comes within a margin of, while it rises.
 class Sweep {
@@ -192,9 +193,9 @@ void cut_lines(const ScannedRegion& region, const std::vector<double>& heights, 
   std::vector<double> crossings;
   Intervals inside;
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
-    const double height = (heights[i + 1] - heights[i]) / ScannedRegion::kLinesPerSlab;
-    for (int k = 0; k < ScannedRegion::kLinesPerSlab; ++k) {
-      const double y = heights[i] + (k + 0.5) * height;
+    const double height = (heights[i + 1] - heights[i]) / 2, middle = heights[i] + height;
+    for (const double place : {-kGauss, kGauss}) {
+      const double y = middle + place * height;
       inside.clear();
       add_inside(region.edges(), y, crossings, inside);
       if (!visit(CutLine{y, height, length_of(inside), inside})) return;
@@ -269,6 +270,7 @@ double share_within(const ScannedRegion& a, const ScannedRegion& b, double reach
   }
   if (a.area() <= 0) return 0;
   if (reach <= 0) return std::clamp(shared_area(a.region(), b.region()) / a.area(), 0.0, 1.0);
+  if (const auto decided = decide(0, grown.intersection(a.box()).sizes().prod(), a.area(), limits)) return *decided;  // b is too small to matter
   std::vector<double> cuts = jumps(a, b, reach);
   const SharedSlabs plain = shared_slabs(a.slabs(), b.slabs(), reach);
   const double area = cuts.empty() ? a.even_lines().area() : a.area();  // which lines cut at each corner have, too, unless a crosses itself

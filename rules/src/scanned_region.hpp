@@ -61,10 +61,9 @@ class ScannedRegion {
   [[nodiscard]] const std::vector<Level>& levels() const { return levels_; }  ///< by rising `low`
   [[nodiscard]] const EdgesByHeight& edges() const { return edges_; }
 
-  static constexpr int kLinesPerSlab = 4;
   /// Both are computed when first asked for, by whichever thread.
   [[nodiscard]] const Slabs& slabs() const;
-  [[nodiscard]] const CutLines& even_lines() const;  ///< a few through each slab
+  [[nodiscard]] const CutLines& even_lines() const;  ///< two through each slab
 
  private:
   struct Later {
