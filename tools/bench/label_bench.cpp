@@ -13,6 +13,7 @@
 
 #include "bench/rooms.hpp"
 #include "scenelore/engine/solver.hpp"
+#include "scenelore/perception/memory.hpp"
 #include "scenelore/rules/labelling.hpp"
 
 namespace {
@@ -139,6 +140,7 @@ std::vector<Job> stored_jobs(const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  perception::keep_memory(perception::Work::labelling);  // as the program does
   try {
     std::vector<Job> jobs;
     for (int i = 1; i < argc; ++i) {

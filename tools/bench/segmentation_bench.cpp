@@ -69,7 +69,7 @@ Run run_alone(const Segmenter& method, const fs::path& file, std::size_t points)
   const double start = seconds_now();
   const pid_t child = ::fork();
   if (child == 0) {
-    if (method.name.starts_with("Scenelore")) perception::keep_memory();  // as the program's commands do
+    if (method.name.starts_with("Scenelore")) perception::keep_memory(perception::Work::perception);  // as the program's commands do
     const double before = resident(), began = seconds_now();
     const perception::Cloud cloud = perception::read_cloud(file);
     const double reading = seconds_now() - began;

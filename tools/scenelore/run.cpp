@@ -37,7 +37,7 @@ class RunCommand : public Command {
 
   int run() override {
     if (labelled_ && scans_.size() > 1) throw UsageError("--labelled takes one scan at a time");
-    perception::keep_memory();
+    perception::keep_memory(perception::Work::perception);
     const perception::PerceptionOptions perception = perception_.options();
     std::vector<Report> reports;
     int code = kOk;

@@ -28,7 +28,7 @@ class SegmentCommand : public Command {
   }
 
   int run() override {
-    perception::keep_memory();
+    perception::keep_memory(perception::Work::perception);
     const perception::PerceptionOptions perception = perception_.options();
     kb::KnowledgeBase base = pipeline::open_or_create(kb_, knowledge_);
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
