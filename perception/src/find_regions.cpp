@@ -315,7 +315,7 @@ FoundRegions Finder::run() {
   begin("front edges");
   if (in_detail && !found_.limits.plane_distance_given) free_front_edges(cloud_, found_.noise, threads_, slot_of_point_, slots_, planes_);
   begin("promises");
-  sample_.cloud = {}, sample_.voxels = {};
+  sample_.cloud = {}, sample_.voxels = {};  // which points they are is all that promises ask for
   static_cast<Settled&>(found_) =
       keep_promises(cloud_, voxels_, sample_, slots_, bridged_, found_.limits, threads_, std::move(slot_of_point_));
   found_.voxels = std::move(voxels_.grid.moments);

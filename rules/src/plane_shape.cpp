@@ -91,27 +91,6 @@ double edges_to_inside(const PlaneShape& a, const PlaneShape& b, double best) {
 
 }  // namespace
 
-BoxRow::BoxRow(std::span<const EdgeBlock> blocks) : size_(blocks.size()) {
-  bounds_.reserve(6 * size_);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    for (const EdgeBlock& block : blocks) bounds_.push_back(block.box.min()[axis]);
-    for (const EdgeBlock& block : blocks) bounds_.push_back(block.box.max()[axis]);
-  }
-}
-
-void BoxRow::put_squared_distances(const Box3& box, double* out) const {
-  const double *const x = bounds_.data(), *const y = x + 2 * size_, *const z = y + 2 * size_;
-  const Vector3d least = box.min(), most = box.max();
-  const auto apart = [this](double low, double high, const double* bounds, std::size_t i) {
-    const double one = low - bounds[size_ + i], other = bounds[i] - high, away = one < other ? other : one;
-    return away < 0 ? 0 : away;
-  };
-  for (std::size_t i = 0; i < size_; ++i) {
-    const double along_x = apart(least.x(), most.x(), x, i), along_y = apart(least.y(), most.y(), y, i), along_z = apart(least.z(), most.z(), z, i);
-    out[i] = along_x * along_x + along_y * along_y + along_z * along_z;
-  }
-}
-
 PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid), normal(plane.normal.normalized()) {
   u = any_across(normal);
   v = normal.cross(u);
@@ -134,14 +113,16 @@ PlaneShape::PlaneShape(const perception::Plane& plane) : centroid(plane.centroid
     add(plane.hull.outer);
     for (const perception::Ring& hole : plane.hull.holes) add(hole);
   }
-  const std::size_t count = (edges.size() + EdgeBlock::kMost - 1) / EdgeBlock::kMost;
-  blocks.reserve(count);
+  std::vector<Box3> boxes;
+  blocks.reserve((edges.size() + EdgeBlock::kMost - 1) / EdgeBlock::kMost);
+  boxes.reserve(blocks.capacity());
   for (std::size_t i = 0; i < edges.size(); i += EdgeBlock::kMost) {
     EdgeBlock block{i, std::min(i + EdgeBlock::kMost, edges.size()), {}};
     for (std::size_t k = i; k < block.end; ++k) block.box.extend(edges[k].box);
     blocks.push_back(block);
+    boxes.push_back(block.box);
   }
-  block_boxes = BoxRow(blocks);
+  block_boxes = BoxRow(boxes);
   in_plane = EdgesByHeight(flattened);
   const bool flat_outline = plane.hull.outer.size() >= 3;
   steep = !flat_outline || std::abs(normal.z()) <= std::cos(kSteepDegrees * std::numbers::pi / 180);

@@ -3,16 +3,14 @@
 
 #include <Eigen/Geometry>
 
-#include <span>
 #include <vector>
 
+#include "box_row.hpp"
 #include "edges_by_height.hpp"
 #include "scanned_region.hpp"
 #include "scenelore/perception/plane.hpp"
 
 namespace scenelore::rules {
-
-using Box3 = Eigen::AlignedBox3d;
 
 /// A plane this steep or steeper has a line as its footprint: the sliver that remains says nothing but noise.
 inline constexpr double kSteepDegrees = 80;
@@ -27,21 +25,6 @@ struct EdgeBlock {
   static constexpr std::size_t kMost = 8;  ///< edges
   std::size_t begin = 0, end = 0;
   Box3 box;
-};
-
-/// Boxes side by side, so that one box is compared with many at once.
-class BoxRow {
- public:
-  BoxRow() = default;
-  explicit BoxRow(std::span<const EdgeBlock> blocks);
-
-  [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of each from `box`, squared; 0 where they meet. `out` has one place for each.
-  void put_squared_distances(const Box3& box, double* out) const;
-
- private:
-  std::size_t size_ = 0;
-  std::vector<double> bounds_;  // all least x, then all greatest x, then those of y and z
 };
 
 /// A plane without an outline is its centroid: a point.

@@ -167,10 +167,6 @@ double plain_degree(lua_State* state) {
   return degree >= 0 && degree <= 1 ? degree : -1;
 }
 
-}  // namespace
-
-namespace {
-
 /// Where answer_batch keeps on the stack what all its questions need: sooner found than in the registry.
 enum Place : int { kBatch = 1, kApplies, kDegree, kSelf };
 

@@ -50,7 +50,9 @@ TEST(Rejoin, NothingGoesToWhatIsGivenUpItselfOrIsSmaller) {
   EXPECT_EQ(PartedWall().into({true, true, false}), (std::vector<std::int32_t>{-1, -1, -1}));
 }
 
-TEST(Rejoin, WhatDoesNotTouchStays) { EXPECT_EQ(PartedWall(0, 0, 1).into({false, false, true})[kFurther], kPiece) << "it touches the piece alone"; }
+TEST(Rejoin, APieceGoesToWhatItTouchesAndNotToTheLargestThatWouldExplainIt) {
+  EXPECT_EQ(PartedWall().into({false, false, true})[kFurther], kPiece);
+}
 
 TEST(Rejoin, WhatStandsBeforeTheWallByItsNoiseIsNoPieceOfIt) {
   EXPECT_EQ(PartedWall(0.003).into({false, true, false})[kPiece], kWall);

@@ -104,13 +104,13 @@ TEST(BoxRow, HasTheDistanceOfEachBox) {
     const Vector3d a = point(), b = point();
     return Box3(a.cwiseMin(b), a.cwiseMax(b));
   };
-  std::vector<EdgeBlock> blocks(101);
-  for (EdgeBlock& block : blocks) block.box = box();
-  const BoxRow row(blocks);
+  std::vector<Box3> boxes(101);
+  for (Box3& one : boxes) one = box();
+  const BoxRow row(boxes);
   std::vector<double> apart(row.size());
   const Box3 from = box();
   row.put_squared_distances(from, apart.data());
-  for (std::size_t i = 0; i < blocks.size(); ++i) EXPECT_DOUBLE_EQ(apart[i], blocks[i].box.squaredExteriorDistance(from));
+  for (std::size_t i = 0; i < boxes.size(); ++i) EXPECT_DOUBLE_EQ(apart[i], boxes[i].squaredExteriorDistance(from));
 }
 
 TEST(KnownRanges, KeepsOneRangeForEachQuestion) {
