@@ -138,13 +138,10 @@ class Splitter {
       : cloud_(cloud), limits_(limits), support_(support), samples_(samples), regions_(regions), taken_(samples.size(), false) {}
 
   /// Where points are dense, fine cells part things that lie close together; what they are too fine for is left to coarse ones.
-  /// False when nothing was found.
-  bool split() {
-    const std::size_t before = regions_.planes.size();
+  void split() {
     const double fine = fitting_edge(samples_), coarse = 0.04;
     split_at(fine);
     if (fine < 0.7 * coarse) split_at(coarse);
-    return regions_.planes.size() > before;
   }
 
  private:
@@ -252,9 +249,10 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
     add_free(free.near(points[r]));
     const Footprint footprint(samples);
     std::vector<std::size_t> layers;
-    for (std::size_t q = 0; q < count; ++q) {
+    // What hangs on a wall was parted as flush faces; cut up again, a board comes out in pieces.
+    for (std::size_t q = 0; q < count && support->level; ++q) {
       if (dissolved[q] || regions.planes[q].count == 0 || regions.planes[q].count >= plane.count) continue;
-      if (support->level && slanting[q] && regions.planes[q].spread_area() > kSmallestSupport) {
+      if (slanting[q] && regions.planes[q].spread_area() > kSmallestSupport) {
         add_free(points[q]);
         continue;
       }
@@ -265,13 +263,8 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
       for (const std::uint32_t i : points[q]) regions.of_point[i] = -1;
       add_free(points[q]);
     }
-    if (Splitter(cloud, limits, *support, samples, regions).split() || support->level) {
-      for (const std::size_t q : layers) dissolved[q] = true;
-    } else {
-      for (const std::size_t q : layers) {
-        for (const std::uint32_t i : points[q]) regions.of_point[i] = static_cast<std::int32_t>(q);
-      }
-    }
+    Splitter(cloud, limits, *support, samples, regions).split();
+    for (const std::size_t q : layers) dissolved[q] = true;
     if (!support->level) continue;
     // Rays graze tops, whose noise is far below that of a single range: edges and feet need not come along.
     const double reach = std::max(kLowest, 4 * support->noise);

@@ -8,6 +8,8 @@
 
 #include "height_map.hpp"
 #include "outline_cut.hpp"
+#include "planar_scenes.hpp"
+#include "thin_objects.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -114,6 +116,29 @@ TEST(FlatThings, WidensItsCellsWherePointsAreFew) {
   EXPECT_LT(fitting_edge(dense), 0.02);
   EXPECT_GT(fitting_edge(sparse), 1.8 * fitting_edge(dense));
   EXPECT_LE(fitting_edge({}), 0.04);
+}
+
+/// Regions that come from a board of a square metre and a half two centimetres before a wall that scatters less, each a region already.
+TEST(ThinObjects, LeaveABoardOnItsWallInOnePiece) {
+  testing::Scene scene;
+  testing::Random random(4);
+  using V = Eigen::Vector3d;
+  scene.cloud.sensors = SensorPositions(V(2, -2, 1.2));
+  scene.add_rectangle(V(0, 0, 0), V(4, 0, 0), V(0, 0, 2.5), 6000, 0.005, 0, random);
+  scene.add_rectangle(V(1, -0.02, 0.8), V(1.5, 0, 0), V(0, 0, 1), 6000, 0.009, 1, random);
+  Regions regions;
+  regions.of_point.assign(scene.truth.begin(), scene.truth.end());
+  regions.planes.resize(2);
+  refit(scene.cloud, regions);
+  const Limits limits{.max_point_distance = 1.6, .max_plane_distance = 0.03, .max_mse = 1e-4, .min_points = 20, .max_neighbours = 30, .small_plane_step = 0.3};
+  split_thin_objects(scene.cloud, {}, limits, regions);
+  std::size_t kept = 0, board = 0;
+  for (std::size_t i = 0; i < scene.truth.size(); ++i) {
+    if (scene.truth[i] != 1) continue;
+    ++board;
+    kept += regions.of_point[i] == 1;
+  }
+  EXPECT_GT(kept, 99 * board / 100);
 }
 
 }  // namespace
