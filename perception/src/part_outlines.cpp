@@ -17,14 +17,10 @@ constexpr double kFinest = 0.05, kCoarsest = 0.08;  // metres
 constexpr std::size_t kFewest = 40;               // points
 constexpr double kBehind = 0.05;                  // metres, thicker than the edge of a desk and than noise
 
-bool seen_past(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up) {
-  return cloud.sensors.known() && std::abs(plane.normal.dot(up)) > kLevel;
-}
-
 /// The cells of a plane's parts. What the sensor saw past the plane is stronger evidence than how well rectangles are
-/// filled, since it does not take shadows for notches; only level planes are seen past on all sides.
-std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFit& plane, const Eigen::Vector3d& up, PlaneView& view) {
-  if (seen_past(cloud, plane, up)) {
+/// filled, since it does not take shadows for notches.
+std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFit& plane, PlaneView& view) {
+  if (cloud.sensors.known()) {
     look_past(cloud, plane, kBehind, view);
     auto parts = part_into_rectangles(view);
     if (parts.size() > 1 || plane.spread_area() > kLargest) return parts;
@@ -40,10 +36,12 @@ void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regio
   for (std::size_t r = 0; r < points.size(); ++r) {
     const PlaneFit plane = regions.planes[r];
     const double area = plane.spread_area();
-    if (points[r].size() < kFewest || area < kSmallest || area > (seen_past(cloud, plane, up) ? kLargestSeenPast : kLargest)) continue;
+    if (points[r].size() < kFewest || area < kSmallest || area > (cloud.sensors.known() ? kLargestSeenPast : kLargest)) continue;
+    // Walls and fronts are not seen past on all sides, and are seldom what one rectangle is not but for shadows.
+    if (cloud.sensors.known() && std::abs(plane.normal.dot(up)) <= kLevel) continue;
     const double edge = std::clamp(std::sqrt(kWanted * area / static_cast<double>(points[r].size())), kFinest, kCoarsest);
     PlaneView view = view_of(cloud, plane, points[r], edge);
-    const auto parts = parts_of(cloud, plane, up, view);
+    const auto parts = parts_of(cloud, plane, view);
     if (parts.size() < 2) continue;
     std::vector<std::int32_t> number(view.held.size(), static_cast<std::int32_t>(r));
     for (std::size_t p = 1; p < parts.size(); ++p) {
