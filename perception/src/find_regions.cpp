@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "absorb.hpp"
-#include "bridge_tables.hpp"
+#include "bridge_pieces.hpp"
 #include "clutter.hpp"
 #include "earlier_regions.hpp"
 #include "face_model.hpp"
@@ -21,6 +21,7 @@
 #include "scale.hpp"
 #include "seen_from.hpp"
 #include "sharp_faces.hpp"
+#include "support.hpp"
 #include "thin_objects.hpp"
 #include "transfer.hpp"
 
@@ -192,14 +193,14 @@ std::vector<float> Finder::weights_of_sample() const {
   return weights;
 }
 
-/// Pieces of tables become one across the shadows of what stands on them; things on planes stay what they are.
+/// Pieces of tables, walls and fronts become one across the shadows of what stands there; things on tables stay what they are.
 void Finder::bridge(const Eigen::Vector3d& up) {
   Regions regions{regions_of_points(slots_, slot_of_point_), planes_};
   for (std::size_t r = 0; r < planes_.size(); ++r) {
-    if (things_.hold(r)) regions.planes[r] = PlaneFit();
+    if (things_.hold(r) && std::abs(planes_[r].normal.dot(up)) > kLevel) regions.planes[r] = PlaneFit();
   }
   const std::vector<std::int32_t> into =
-      bridge_tables(sample_.cloud, up, found_.limits, noise_by_region(), regions);
+      bridge_pieces(sample_.cloud, up, found_.limits, noise_by_region(), regions);
   bridged_.assign(planes_.size(), false);
   for (std::size_t r = 0; r < into.size(); ++r) {
     if (into[r] != static_cast<std::int32_t>(r)) bridged_[static_cast<std::size_t>(into[r])] = true;

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "bridge_tables.hpp"
+#include "bridge_pieces.hpp"
 #include "merge.hpp"
 #include "planar_scenes.hpp"
 #include "scenelore/perception/segment.hpp"
@@ -59,36 +59,78 @@ bool bridged(const Scene& scene, const Limits& limits = kLimits) {
   for (const int truth : scene.truth) regions.of_point.push_back(truth);
   regions.planes.resize(3);
   refit(scene.cloud, regions);
-  const auto into = bridge_tables(scene.cloud, Vector::UnitZ(), limits, {0.004, 0.004, 0.004}, regions);
+  const auto into = bridge_pieces(scene.cloud, Vector::UnitZ(), limits, {0.004, 0.004, 0.004}, regions);
   EXPECT_EQ(into[2], 2) << "the floor is another surface";
   return into[0] == into[1];
 }
 
-TEST(BridgeTables, JoinsWhatOnlyAShadowParts) { EXPECT_TRUE(bridged(scene_of({}))); }
+TEST(BridgePieces, JoinsWhatOnlyAShadowParts) { EXPECT_TRUE(bridged(scene_of({}))); }
 
-TEST(BridgeTables, LeavesApartWhatWasSeenThrough) {
+TEST(BridgePieces, LeavesApartWhatWasSeenThrough) {
   EXPECT_FALSE(bridged(scene_of({.seen_through = true})));
   EXPECT_FALSE(bridged(scene_of({.from_second = 0.72, .to_second = 1.3, .seen_through = true}))) << "too narrow for the rectangle to mind";
 }
 
-TEST(BridgeTables, LeavesApartWhatIsNotInOnePlane) { EXPECT_FALSE(bridged(scene_of({.raised = 0.015}))); }
+TEST(BridgePieces, LeavesApartWhatIsNotInOnePlane) { EXPECT_FALSE(bridged(scene_of({.raised = 0.015}))); }
 
-TEST(BridgeTables, LeavesApartWhatOneTableWouldBeTooLongFor) {
+TEST(BridgePieces, LeavesApartWhatOneTableWouldBeTooLongFor) {
   EXPECT_TRUE(bridged(scene_of({.from_second = 1.2, .to_second = 2.2})));
   EXPECT_FALSE(bridged(scene_of({.from_second = 1.2, .to_second = 2.8})));
 }
 
-TEST(BridgeTables, LeavesApartWhatTheUserWantsConnectedMoreClosely) {
+TEST(BridgePieces, LeavesApartWhatTheUserWantsConnectedMoreClosely) {
   Limits limits = kLimits;
   limits.max_point_distance = limits.small_plane_step = 0.2;
   EXPECT_FALSE(bridged(scene_of({}), limits));
 }
 
-TEST(BridgeTables, KnowsOfNoShadowsWithoutASensor) {
+TEST(BridgePieces, KnowsOfNoShadowsWithoutASensor) {
   Scene scene = scene_of({});
   scene.cloud.sensors = SensorPositions();
   EXPECT_FALSE(bridged(scene));
 }
+
+/// Two pieces of an upright surface at y = 0, 0 and 1, with a gap between x = 0.6 and 1.1, over a wall half a metre behind it, 2, as an eye before
+/// them sees them.
+struct Fronts {
+  double off = 0;      ///< metres along y, the second before the first
+  double length = 0.6; ///< metres, of the second
+  bool seen_through = false;
+};
+
+bool one_front(const Fronts& fronts) {
+  const Vector eye(0.8, -2.5, 1.2);
+  Scene scene;
+  Random random(7);
+  scene.cloud.sensors = SensorPositions(eye);
+  const double end = 1.1 + fronts.length;
+  for (int i = 0; i < 60'000; ++i) {
+    const Vector wall(random.uniform(-1.5, end + 1.5), 0.5, random.uniform(0, 2.5));
+    const auto crossing = [&](double y) { return Vector(eye + (y - eye.y()) / (wall.y() - eye.y()) * (wall - eye)); };
+    const Vector first = crossing(0), second = crossing(-fronts.off);
+    const bool high = first.z() > 0.2 && first.z() < 1.4;
+    const Vector noise = 0.006 * random.normal() * (wall - eye).normalized();
+    if (high && first.x() > 0 && first.x() < 0.6) scene.add(first + noise, 0);
+    else if (high && second.x() > 1.1 && second.x() < end) scene.add(second + noise, 1);
+    else if (fronts.seen_through || first.x() < 0 || first.x() > 1.1 || !high) scene.add(wall + noise, 2);
+  }
+  Regions regions;
+  for (const int truth : scene.truth) regions.of_point.push_back(truth);
+  regions.planes.resize(3);
+  refit(scene.cloud, regions);
+  const auto into = bridge_pieces(scene.cloud, Vector::UnitZ(), kLimits, {0.006, 0.006, 0.006}, regions);
+  EXPECT_EQ(into[2], 2) << "the wall is another surface";
+  return into[0] == into[1];
+}
+
+TEST(BridgePieces, JoinsFrontsThatOnlyAShadowParts) {
+  EXPECT_TRUE(one_front({}));
+  EXPECT_FALSE(one_front({.seen_through = true}));
+}
+
+TEST(BridgePieces, LeavesAPictureOffItsWall) { EXPECT_FALSE(one_front({.off = 0.006})); }
+
+TEST(BridgePieces, JoinsFrontsOfAnyLength) { EXPECT_TRUE(one_front({.length = 2})); }
 
 /// The planes that hold most points of what is 0 and 1 in truth.
 std::set<std::int32_t> main_planes(const Scene& scene, const std::vector<std::int32_t>& plane_of_point) {
@@ -101,7 +143,7 @@ std::set<std::int32_t> main_planes(const Scene& scene, const std::vector<std::in
   return planes;
 }
 
-TEST(BridgeTables, SegmentationKeepsTheTableWhole) {
+TEST(BridgePieces, SegmentationKeepsTheTableWhole) {
   const Scene shadow = scene_of({}), gap = scene_of({.seen_through = true});
   const auto one = main_planes(shadow, segment(shadow.cloud).plane_of_point), two = main_planes(gap, segment(gap.cloud).plane_of_point);
   EXPECT_EQ(one.size(), 1u);
