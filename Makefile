@@ -54,12 +54,12 @@ knowledge: bench
 	build/bench/bin/learn_office schemas/knowledge/office.sql > schemas/knowledge/office_learned.sql.new
 	mv schemas/knowledge/office_learned.sql.new schemas/knowledge/office_learned.sql
 
-# Learns again from simulated scans what tells a planar face from clutter (perception/src/face_curves.inc); knowledge should be learned
+# Learns again from simulated scans what tells a planar face from clutter (perception/src/face_trees.inc); knowledge should be learned
 # after it, since it decides which planes there are.
 faces: bench
 	cmake --build --preset bench -j $(JOBS) --target learn_faces
-	build/bench/bin/learn_faces > perception/src/face_curves.inc.new
-	mv perception/src/face_curves.inc.new perception/src/face_curves.inc
+	build/bench/bin/learn_faces > perception/src/face_trees.inc.new
+	mv perception/src/face_trees.inc.new perception/src/face_trees.inc
 
 # The engine beside toulbar2 on the same instances: rooms, random planes, a building, classical problems.
 engine_bench: bench

@@ -1,7 +1,7 @@
 #include "curvature.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -13,34 +13,39 @@ constexpr double kSignificance = 16.0;  // gain in units of the noise's own vari
 
 }  // namespace
 
-bool is_curved(std::span<const HeightSample> samples, const PlaneFit& plane) {
-  if (samples.size() < 8 || plane.variances[1] <= 0) return false;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  // Half width and half length of a uniform rectangle with these variances.
-  const double eu = std::sqrt(3 * plane.variances[1]), ev = std::sqrt(3 * plane.variances[2]);
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Vector6 right = Vector6::Zero();
-  double squares = 0;
-  for (const HeightSample& s : samples) {
-    const double u = s.u / eu, v = s.v / ev;
-    const Vector6 row = (Vector6() << 1, u, v, u * u, u * v, v * v).finished();
-    normal += s.weight * row * row.transpose();
-    right += s.weight * s.height * row;
-    squares += s.weight * s.height * s.height;
-  }
-  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(normal);
-  if (solver.info() != Eigen::Success || solver.rcond() < 1e-9) return false;
-  const Vector6 c = solver.solve(right);
-  const Eigen::Matrix3d flat = normal.topLeftCorner<3, 3>();
-  const Eigen::Vector3d flat_right = right.head<3>();
-  const double gain = c.dot(right) - flat.ldlt().solve(flat_right).dot(flat_right);
-  const double left = plane.variances[0] * plane.count - gain;  // squares about the bent surface
-  const double noise = std::max(left, 0.0) / std::max(plane.count - 6, 1.0);
-  if (gain < kSignificance * noise || gain < 0.15 * plane.variances[0] * plane.count) return false;
+// Half width and half length of a uniform rectangle with these variances.
+BentSurface::BentSurface(const PlaneFit& plane)
+    : half_width_(std::sqrt(3 * std::max(0.0, plane.variances[1]))), half_length_(std::sqrt(3 * std::max(0.0, plane.variances[2]))) {}
+
+void BentSurface::add(const HeightSample& s) {
+  const double u = s.u / half_width_, v = s.v / half_length_;
+  const Eigen::Matrix<double, 6, 1> row = (Eigen::Matrix<double, 6, 1>() << 1, u, v, u * u, u * v, v * v).finished();
+  normal_ += s.weight * row * row.transpose();
+  right_ += s.weight * s.height * row;
+  ++count_;
+}
+
+std::optional<BentSurface::Bend> BentSurface::bend() const {
+  if (count_ < 8 || !(half_width_ > 0)) return {};
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(normal_);
+  if (solver.info() != Eigen::Success || solver.rcond() < 1e-9) return {};
+  const Eigen::Matrix<double, 6, 1> c = solver.solve(right_);
+  const Eigen::Matrix3d flat = normal_.topLeftCorner<3, 3>();
+  const Eigen::Vector3d flat_right = right_.head<3>();
   Eigen::Matrix2d hessian;
-  hessian << 2 * c[3] / (eu * eu), c[4] / (eu * ev), c[4] / (eu * ev), 2 * c[5] / (ev * ev);
-  const Eigen::Vector2d turn_u = hessian * Eigen::Vector2d(eu, 0), turn_v = hessian * Eigen::Vector2d(0, ev);
-  return std::max(turn_u.norm(), turn_v.norm()) > kTurn;
+  hessian << 2 * c[3] / (half_width_ * half_width_), c[4] / (half_width_ * half_length_), c[4] / (half_width_ * half_length_), 2 * c[5] / (half_length_ * half_length_);
+  const Eigen::Vector2d across = hessian * Eigen::Vector2d(half_width_, 0), along = hessian * Eigen::Vector2d(0, half_length_);
+  return Bend{c.dot(right_) - flat.ldlt().solve(flat_right).dot(flat_right), std::max(across.norm(), along.norm())};
+}
+
+bool is_curved(std::span<const HeightSample> samples, const PlaneFit& plane) {
+  BentSurface surface(plane);
+  for (const HeightSample& s : samples) surface.add(s);
+  const std::optional<BentSurface::Bend> bend = surface.bend();
+  if (!bend) return false;
+  const double left = plane.variances[0] * plane.count - bend->gain;  // squares about the bent surface
+  const double noise = std::max(left, 0.0) / std::max(plane.count - 6, 1.0);
+  return bend->gain >= kSignificance * noise && bend->gain >= 0.15 * plane.variances[0] * plane.count && bend->turn > kTurn;
 }
 
 bool is_curved(const VoxelGrid& grid, std::span<const std::uint32_t> voxels, const PlaneFit& plane) {

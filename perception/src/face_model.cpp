@@ -1,41 +1,39 @@
 #include "face_model.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace scenelore::perception {
 namespace {
 
-constexpr std::size_t kKnots = 9;
+constexpr std::size_t kQuestions = 4;  // of a tree
 
-/// Log-odds at knots; straight lines between them, constant beyond.
-struct Curve {
-  std::array<double, kKnots> at, odds;
-};
+/// Asks whether traits are above thresholds; the answers are the bits of the number of a log-odds, the first one's the lowest.
+struct Tree {
+  std::uint8_t trait[kQuestions];
+  double above[kQuestions];
+  double odds[1 << kQuestions];
 
-struct Model {
-  double offset;
-  std::array<Curve, kTraits> curves;
-};
-
-#include "face_curves.inc"
-
-double value(const Curve& curve, double x) {
-  if (std::isnan(x)) return 0;  // the mean of a curve over the examples
-  if (x <= curve.at.front()) return curve.odds.front();
-  for (std::size_t k = 1; k < kKnots; ++k) {
-    if (x >= curve.at[k]) continue;
-    const double t = (x - curve.at[k - 1]) / (curve.at[k] - curve.at[k - 1]);
-    return curve.odds[k - 1] + t * (curve.odds[k] - curve.odds[k - 1]);
+  [[nodiscard]] double answer(const FaceTraits& traits) const {
+    std::size_t leaf = 0;
+    for (std::size_t q = 0; q < kQuestions; ++q) leaf |= static_cast<std::size_t>(traits[trait[q]] > above[q]) << q;
+    return odds[leaf];
   }
-  return curve.odds.back();
+};
+
+#include "face_trees.inc"
+
+double odds_of(const FaceTraits& traits, double offset, std::span<const Tree> trees) {
+  for (const Tree& tree : trees) offset += tree.answer(traits);
+  return offset;
 }
 
 }  // namespace
 
 double face_probability(const FaceTraits& traits, Origin origin) {
-  const Model& model = origin == Origin::thing ? kThings : origin == Origin::earlier ? kEarlier : kSurfaces;
-  double odds = model.offset;
-  for (std::size_t t = 0; t < kTraits; ++t) odds += value(model.curves[t], traits[t]);
+  const double odds = origin == Origin::thing     ? odds_of(traits, kThingsOffset, kThings)
+                      : origin == Origin::earlier ? odds_of(traits, kEarlierOffset, kEarlier)
+                                                  : odds_of(traits, kSurfacesOffset, kSurfaces);
   return 1 / (1 + std::exp(-odds));
 }
 

@@ -1,10 +1,13 @@
 #include "face_traits.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
+#include "curvature.hpp"
 #include "seen_from.hpp"
 
 namespace scenelore::perception {
@@ -14,6 +17,7 @@ constexpr double kAgreeing = 0.9;       // cosine of 26 degrees
 constexpr double kParallel = 0.94;      // cosine of 20 degrees
 constexpr double kFlatterThan = 0.997;  // cosine of 4.5 degrees: neighbours this parallel are layers, not facets
 constexpr double kSteeperThan = 0.64;   // cosine of 50 degrees: an edge
+constexpr double kSquare = 0.26;        // cosine of 75 degrees
 constexpr double kStep = 0.4;           // voxels
 constexpr double kFar = 8;              // deviations; of things, centimetres
 constexpr double kThingUnit = 0.01;     // metres
@@ -27,9 +31,28 @@ constexpr double kLeastDeviation = 0.0001;  // metres
 /// Sums over the voxels of a region.
 struct Tally {
   double voxels = 0, agreeing = 0, judged = 0, uneven = 0, left = 0, foreign = 0;
-  double border = 0, contact = 0;
+  double border = 0, contact = 0, square = 0;
   double nearer = 0;  // by how much the nearest layer of each voxel is nearer than kFar
 };
+
+/// Radians of a horizontal direction about up, in some frame.
+double heading(const Eigen::Vector3d& direction, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d x = up.unitOrthogonal();
+  return std::atan2(direction.dot(up.cross(x)), direction.dot(x));
+}
+
+/// Of most walls, up to quarter turns: the mean of four times the angle, by area (Mardia & Jupp 2000, directional statistics).
+double heading_of_walls(const std::vector<PlaneFit>& planes, const Eigen::Vector3d& up) {
+  constexpr double kUpright = 0.2, kSmallest = 0.5;  // cosine, m²
+  double sine = 0, cosine = 0;
+  for (const PlaneFit& plane : planes) {
+    const double area = plane.spread_area();
+    if (plane.count <= 0 || std::abs(plane.normal.dot(up)) > kUpright || area < kSmallest) continue;
+    const double angle = 4 * heading(plane.normal, up);
+    sine += area * std::sin(angle), cosine += area * std::cos(angle);
+  }
+  return std::atan2(sine, cosine) / 4;
+}
 
 /// The region with most of a voxel's points, and where these are.
 struct Owner {
@@ -40,8 +63,11 @@ struct Owner {
 class Measure {
  public:
   Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
-          const std::vector<PlaneFit>& planes, const View& view, const Things& things)
-      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things), tally_(planes.size()), owner_(grid.count()) {}
+          const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things)
+      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things), walls_(heading_of_walls(planes, view.up)), tally_(planes.size()), owner_(grid.count()) {
+    bent_.reserve(planes.size());
+    for (const PlaneFit& plane : planes) bent_.emplace_back(plane);
+  }
 
   std::vector<FaceTraits> run() {
     for (std::size_t v = 0; v < grid_.count(); ++v) choose_owner(v);
@@ -69,6 +95,7 @@ class Measure {
   [[nodiscard]] double nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const;
   void around(std::size_t v);
   void choose_owner(std::size_t v);
+  [[nodiscard]] double degrees_turned(const PlaneFit& plane) const;
   [[nodiscard]] FaceTraits traits(std::size_t r) const;
 
   const VoxelGrid& grid_;
@@ -77,8 +104,10 @@ class Measure {
   const Slots& slots_;
   const std::vector<PlaneFit>& planes_;
   const View& view_;
-  Things things_;
+  RegionRange things_;
+  double walls_;  // heading, radians
   std::vector<Tally> tally_;
+  std::vector<BentSurface> bent_;  // by region
   std::vector<Owner> owner_;
 };
 
@@ -110,6 +139,8 @@ void Measure::within(std::size_t v) {
     }
     const double d = m.mean_distance(plane);
     t.uneven += m.n * d * d;
+    const Eigen::Vector3d at = m.mean() - plane.centroid;
+    bent_[r].add({plane.axes.col(1).dot(at), plane.axes.col(2).dot(at), d, m.n});
     t.nearer += kFar - nearest_layer(v, r, m.mean());
   }
 }
@@ -135,7 +166,7 @@ void Measure::around(std::size_t v) {
   const PlaneFit& plane = planes_[r];
   Tally& t = tally_[r];
   int own = 0;
-  bool goes_on = false;
+  bool goes_on = false, square = false;
   for (const std::int32_t n : grid_.neighbours[v]) {
     if (n < 0 || owner_[n].region < 0) continue;
     const std::int32_t other = owner_[n].region;
@@ -144,10 +175,19 @@ void Measure::around(std::size_t v) {
       continue;
     }
     const double cosine = std::abs(plane.normal.dot(planes_[other].normal));
+    square = square || (cosine < kSquare && std::abs(plane.distance(owner_[n].middle)) < grid_.size);
     if (cosine < kFlatterThan && cosine > kSteeperThan) goes_on = goes_on || std::abs(plane.distance(owner_[n].middle)) < kStep * grid_.size;
   }
-  if (own < 9) t.border += 1;
+  if (own < 9) t.border += 1, t.square += square;
   t.contact += goes_on;
+}
+
+/// Between a plane and most walls. Of a level plane its length tells.
+double Measure::degrees_turned(const PlaneFit& plane) const {
+  constexpr double kLevel = 0.87;  // cosine of 30 degrees
+  const bool level = std::abs(plane.normal.dot(view_.up)) > kLevel;
+  const double angle = heading(level ? plane.axes.col(2) : plane.normal, view_.up) - walls_;
+  return std::abs(std::remainder(angle, std::numbers::pi / 2)) * 180 / std::numbers::pi;
 }
 
 FaceTraits Measure::traits(std::size_t r) const {
@@ -176,13 +216,19 @@ FaceTraits Measure::traits(std::size_t r) const {
   set(Trait::slant, slant);
   const double across_view = std::max(noise_across(view_.noise, slant), kLeastDeviation);
   set(Trait::excess, std::isnan(slant) ? slant : std::log10(std::max(std::sqrt(variance), kLeastDeviation) / across_view));
+  const std::optional<BentSurface::Bend> bend = bent_[r].bend();
+  set(Trait::bend, bend ? std::log10(1 + std::max(0.0, bend->gain) / (3 * noise * noise)) : 0);
+  const double scatter = r < view_.scatter.size() ? view_.scatter[r] : std::sqrt(variance);
+  set(Trait::tails, std::log10(std::max(std::sqrt(variance), kLeastDeviation) / std::max(scatter, kLeastDeviation)));
+  set(Trait::square, t.square / std::max(1.0, t.border));
+  set(Trait::turned, degrees_turned(plane));
   return out;
 }
 
 }  // namespace
 
 std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise_of_region,
-                                    const Slots& slots, const std::vector<PlaneFit>& planes, const View& view, const Things& things) {
+                                    const Slots& slots, const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things) {
   return Measure(grid, surfaces, noise_of_region, slots, planes, view, things).run();
 }
 

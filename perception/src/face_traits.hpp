@@ -28,12 +28,16 @@ enum class Trait : std::uint8_t {
   tilt,       ///< degrees between it and level, 0 to 90: what people build is level or upright
   slant,      ///< mean cosine between its normal and the rays to its points; NaN where it is not known from where they were measured
   excess,     ///< log10 of its deviation over the noise of a range, as much of it as lies across at this slant; NaN as for slant
+  bend,       ///< log10 of (1 + what a surface of second degree explains of its voxel means beyond a flat one, in units of what chance allows)
+  tails,      ///< log10 of its deviation over the robust one (regions.hpp): of two layers it is more than of one
+  square,     ///< share of its border voxels that touch a region at 75 degrees or more: boxes, shelves and rooms have such edges
+  turned,     ///< degrees between its horizontal direction and that of most walls, 0 to 45: what people build stands square
 };
-inline constexpr std::size_t kTraits = 15;
+inline constexpr std::size_t kTraits = 19;
 using FaceTraits = std::array<double, kTraits>;
 
-/// Numbers of the regions that thin_objects.hpp made.
-struct Things {
+/// Numbers of the regions that one step made.
+struct RegionRange {
   std::size_t first = 0, end = 0;
   [[nodiscard]] bool hold(std::size_t region) const { return region >= first && region < end; }
 };
@@ -42,12 +46,13 @@ struct Things {
 struct View {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   double noise = 0;           ///< of a range, metres
-  std::vector<double> slant;  ///< by region, see Trait::slant; shorter = not known of the rest
+  std::vector<double> slant;    ///< by region, see Trait::slant; shorter = not known of the rest
+  std::vector<double> scatter;  ///< by region, metres, robust deviation; shorter = as the deviation of the rest
 };
 
-/// One row a region; zeros for those without points. `noise_of_region`: metres, see merge.hpp.
+/// One row a region; zeros for those without points. `things` are those that thin_objects.hpp made. `noise_of_region`: metres, see merge.hpp.
 [[nodiscard]] std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces,
                                                   const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes,
-                                                  const View& view, const Things& things = {});
+                                                  const View& view, const RegionRange& things = {});
 
 }  // namespace scenelore::perception

@@ -40,9 +40,8 @@ constexpr std::int64_t kFewestSampled = 8, kMostSampled = 64, kWantedSample = 30
 constexpr double kLargeStep = 0.5;  // m²
 
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
-// hardly any.
-// Things on planes are what labels need most: a keyboard that is lost costs them more than a paper that is found.
-constexpr double kFace = 0.35, kThing = 0.2, kEarlier = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
+// hardly any, and of those that outlines parted: a desk beside another one looks like a piece of it.
+constexpr double kFace = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -108,7 +107,8 @@ class Finder {
   Pyramid pyramid_;
   Slots slots_;
   std::vector<PlaneFit> planes_;
-  Things things_;
+  RegionRange things_;
+  std::vector<bool> parted_;                        // by region: its outline was cut
   std::size_t brought_back_ = 0;                    // regions from here on
   std::vector<std::vector<std::int32_t>> earlier_;  // regions of the sample at some stages
   std::vector<bool> bridged_;  // by region: goes on across a shadow
@@ -220,11 +220,12 @@ void Finder::drop_steps() {
   refit(slots_, planes_);
 }
 
-/// At what slant the sensor saw each region, by some of its points.
+/// At what slant the sensor saw each region, by some of its points, and how these scatter.
 View Finder::view(const Eigen::Vector3d& up) const {
   constexpr std::size_t kSome = 200;
-  View view{up, found_.noise, {}};
-  for (const std::vector<std::uint32_t>& all : points_of_regions(regions_of_points(slots_, slot_of_point_), planes_.size())) {
+  const std::vector<std::int32_t> of_point = regions_of_sample();
+  View view{up, found_.noise, {}, scatters(sample_.cloud, of_point, planes_)};
+  for (const std::vector<std::uint32_t>& all : points_of_regions(of_point, planes_.size())) {
     std::vector<std::uint32_t> some;
     for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / kSome) some.push_back(all[k]);
     const Eigen::Vector3d& normal = planes_[view.slant.size()].normal;
@@ -249,10 +250,9 @@ void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   }
   std::vector<bool> given_up(planes_.size());
   for (std::size_t r = first; r < planes_.size(); ++r) {
-    const Origin from = origin(r);
-    const double usual = from == Origin::thing ? kThing : from == Origin::earlier ? kEarlier : kFace;
-    const double least = planes_[r].spread_area() >= kLarge ? kLargeFace : usual;
-    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], from) < least;
+    const bool part = r < parted_.size() && parted_[r];
+    const double least = planes_[r].spread_area() >= kLarge || part ? kLargeFace : kFace;
+    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], origin(r)) < least;
   }
   const std::vector<std::int32_t> into = planes_to_rejoin(pyramid_, slots_, planes_, given_up, found_.noise);
   for (std::int32_t& r : slots_.region) {
@@ -300,7 +300,7 @@ FoundRegions Finder::run() {
   begin("sharp faces");
   if (in_detail && !found_.limits.plane_distance_given) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions); });
   begin("outlines");
-  if (in_detail) look_closer(false, [&](Regions& regions) { part_outlines(sample_.cloud, up, regions); });
+  if (in_detail) look_closer(false, [&](Regions& regions) { parted_ = part_outlines(sample_.cloud, up, regions); });
   drop_steps();
   begin("faces");
   brought_back_ = planes_.size();

@@ -30,8 +30,8 @@ std::vector<std::vector<std::size_t>> parts_of(const Cloud& cloud, const PlaneFi
 
 }  // namespace
 
-void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regions) {
-  const std::size_t before = regions.planes.size();
+std::vector<bool> part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regions) {
+  std::vector<bool> is_part(regions.planes.size(), false);
   const auto points = points_of_regions(regions.of_point, regions.planes.size());
   for (std::size_t r = 0; r < points.size(); ++r) {
     const PlaneFit plane = regions.planes[r];
@@ -43,6 +43,7 @@ void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regio
     PlaneView view = view_of(cloud, plane, points[r], edge);
     const auto parts = parts_of(cloud, plane, view);
     if (parts.size() < 2) continue;
+    is_part[r] = true;
     std::vector<std::int32_t> number(view.held.size(), static_cast<std::int32_t>(r));
     for (std::size_t p = 1; p < parts.size(); ++p) {
       for (const std::size_t c : parts[p]) number[c] = static_cast<std::int32_t>(regions.planes.size());
@@ -50,7 +51,9 @@ void part_outlines(const Cloud& cloud, const Eigen::Vector3d& up, Regions& regio
     }
     for (std::size_t k = 0; k < points[r].size(); ++k) regions.of_point[points[r][k]] = number[view.cell_of[k]];
   }
-  if (regions.planes.size() > before) refit(cloud, regions);
+  if (regions.planes.size() > is_part.size()) refit(cloud, regions);
+  is_part.resize(regions.planes.size(), true);
+  return is_part;
 }
 
 }  // namespace scenelore::perception

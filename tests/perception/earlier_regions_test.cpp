@@ -77,7 +77,7 @@ TEST(EarlierRegions, AreNoneWhereNothingWasGivenUpOrNothingIsThere) {
   EXPECT_TRUE(nothing.planes.empty());
 }
 
-TEST(EarlierRegions, AreJudgedByCurvesOfTheirOwn) {
+TEST(EarlierRegions, AreJudgedByTreesOfTheirOwn) {
   FaceQuestions questions;
   const testing::Scene scene = testing::room(0.01);
   static_cast<void>(find_regions(scene.cloud, {.threads = 1}, &questions));

@@ -23,7 +23,7 @@ using V = Eigen::Vector3d;
 double of(const FaceTraits& traits, Trait trait) { return traits[static_cast<std::size_t>(trait)]; }
 
 /// A floor, and over a corner of it a smaller plane at this height.
-std::vector<FaceTraits> floor_and_plane_above(double height, const Things& things = {}, const View& view = {.up = V::UnitZ(), .noise = 0.005, .slant = {1, 1}}) {
+std::vector<FaceTraits> floor_and_plane_above(double height, const RegionRange& things = {}, const View& view = {.up = V::UnitZ(), .noise = 0.005, .slant = {1, 1}}) {
   Scene scene;
   Random random(3);
   scene.add_rectangle(V(0, 0, 0), V(2, 0, 0), V(0, 2, 0), 4000, 0.005, 0, random);
@@ -155,7 +155,7 @@ TEST(FaceModel, TakesForAThingWhatWouldBeALayer) {
   };
   // Three deviations off a larger plane is scatter; three centimetres over a desk is what was looked for there.
   EXPECT_LT(face_probability(over(3), Origin::surface), face_probability(alone, Origin::surface));
-  EXPECT_GT(face_probability(over(3), Origin::thing), face_probability(alone, Origin::thing));
+  EXPECT_GT(face_probability(over(3), Origin::thing), 0.7);
   EXPECT_LT(face_probability(over(0.3), Origin::thing), face_probability(over(3), Origin::thing)) << "of what is 3 mm high nobody knows";
 }
 
