@@ -31,10 +31,16 @@ double odds_of(const FaceTraits& traits, double offset, std::span<const Tree> tr
 }  // namespace
 
 double face_probability(const FaceTraits& traits, Origin origin) {
-  const double odds = origin == Origin::thing     ? odds_of(traits, kThingsOffset, kThings)
-                      : origin == Origin::earlier ? odds_of(traits, kEarlierOffset, kEarlier)
-                                                  : odds_of(traits, kSurfacesOffset, kSurfaces);
-  return 1 / (1 + std::exp(-odds));
+  const auto odds = [&] {
+    switch (origin) {
+      case Origin::thing: return odds_of(traits, kThingsOffset, kThings);
+      case Origin::earlier: return odds_of(traits, kEarlierOffset, kEarlier);
+      case Origin::finer: return odds_of(traits, kFinerOffset, kFiner);
+      case Origin::surface: break;
+    }
+    return odds_of(traits, kSurfacesOffset, kSurfaces);
+  };
+  return 1 / (1 + std::exp(-odds()));
 }
 
 }  // namespace scenelore::perception

@@ -12,6 +12,7 @@ enum class Origin : std::uint8_t {
   surface,  ///< grown, as it is at the end
   thing,    ///< found on a plane (thin_objects.hpp): small and close to a larger plane is what it should be
   earlier,  ///< what a region was before it became one that was given up (earlier_regions.hpp)
+  finer,    ///< grown in finer voxels from what was left (finer_regions.hpp)
 };
 
 /// Between 0 and 1: that at least half of region and face are the same (IoU 0.5). A trait that is NaN is

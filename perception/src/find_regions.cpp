@@ -10,6 +10,7 @@
 #include "clutter.hpp"
 #include "earlier_regions.hpp"
 #include "face_model.hpp"
+#include "finer_regions.hpp"
 #include "flush_faces.hpp"
 #include "front_edges.hpp"
 #include "grow.hpp"
@@ -40,8 +41,9 @@ constexpr std::int64_t kFewestSampled = 8, kMostSampled = 64, kWantedSample = 30
 constexpr double kLargeStep = 0.5;  // m²
 
 // A region less likely than this is no face of the scene. Of large ones, which are somebody's walls even where they bend, only what is
-// hardly any, and of those that outlines parted: a desk beside another one looks like a piece of it.
-constexpr double kFace = 0.3, kLargeFace = 0.1, kLarge = 2;  // m²
+// hardly any, and of those that outlines parted: a desk beside another one looks like a piece of it. What
+// is looked at for want of better is rather none.
+constexpr double kFace = 0.3, kDoubtfulFace = 0.4, kLargeFace = 0.1, kLarge = 2;  // m²
 
 /// Voxels beyond this are those of a cloud that is not in metres or far too sparse for what is centimetres thick.
 constexpr double kCoarsestForThings = 0.5;
@@ -89,6 +91,7 @@ class Finder {
   [[nodiscard]] std::vector<std::int32_t> regions_of_sample() const { return regions_of_points(slots_, slot_of_point_); }
   [[nodiscard]] Origin origin(std::size_t region) const;
   void judge(const Eigen::Vector3d& up, std::size_t first);
+  void find_finer_faces(const Eigen::Vector3d& up);
   void bring_back_faces(const Eigen::Vector3d& up);
   template <typename Judge>
   void look_closer(bool old_ones_too, Judge judge) {
@@ -109,6 +112,7 @@ class Finder {
   std::vector<PlaneFit> planes_;
   RegionRange things_;
   std::vector<bool> parted_;                        // by region: its outline was cut
+  RegionRange finer_;
   std::size_t brought_back_ = 0;                    // regions from here on
   std::vector<std::vector<std::int32_t>> earlier_;  // regions of the sample at some stages
   std::vector<bool> bridged_;  // by region: goes on across a shadow
@@ -235,7 +239,9 @@ View Finder::view(const Eigen::Vector3d& up) const {
 }
 
 Origin Finder::origin(std::size_t region) const {
-  return things_.hold(region) ? Origin::thing : region < brought_back_ ? Origin::surface : Origin::earlier;
+  if (things_.hold(region)) return Origin::thing;
+  if (finer_.hold(region)) return Origin::finer;
+  return region < brought_back_ ? Origin::surface : Origin::earlier;
 }
 
 /// Of the regions from `first` on, gives up what is more likely clutter, a sliver or two faces under one plane; a piece of the plane beside it
@@ -250,15 +256,25 @@ void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   }
   std::vector<bool> given_up(planes_.size());
   for (std::size_t r = first; r < planes_.size(); ++r) {
-    const bool part = r < parted_.size() && parted_[r];
-    const double least = planes_[r].spread_area() >= kLarge || part ? kLargeFace : kFace;
-    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], origin(r)) < least;
+    const Origin from = origin(r);
+    const bool doubtful = from == Origin::earlier || from == Origin::finer, part = r < parted_.size() && parted_[r];
+    const double least = planes_[r].spread_area() >= kLarge || part ? kLargeFace : doubtful ? kDoubtfulFace : kFace;
+    given_up[r] = planes_[r].count > 0 && face_probability(traits[r], from) < least;
   }
   const std::vector<std::int32_t> into = planes_to_rejoin(pyramid_, slots_, planes_, given_up, found_.noise);
   for (std::int32_t& r : slots_.region) {
     if (r >= 0 && given_up[static_cast<std::size_t>(r)]) r = into[static_cast<std::size_t>(r)];
   }
   refit(slots_, planes_);
+}
+
+/// In what no plane has there may be faces that are too small for the voxels.
+void Finder::find_finer_faces(const Eigen::Vector3d& up) {
+  finer_.first = planes_.size();
+  look_closer(false, [&](Regions& regions) { grow_finer(sample_.cloud, voxels_.grid.size / 2, kFewestToGrow, found_.limits, threads_, regions); });
+  finer_.end = planes_.size();
+  drop_steps();
+  judge(up, finer_.first);
 }
 
 /// Where a region was given up, what it was before may be a face.
@@ -305,6 +321,7 @@ FoundRegions Finder::run() {
   begin("faces");
   brought_back_ = planes_.size();
   judge(up, 0);
+  if (in_detail) find_finer_faces(up);
   bring_back_faces(up);
   begin("shadows");
   if (in_detail) bridge(up);

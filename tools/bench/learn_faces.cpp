@@ -160,5 +160,7 @@ int main() {
   print("Things", examples[perception::Origin::thing]);
   fmt::print("\n");
   print("Earlier", examples[perception::Origin::earlier]);
+  fmt::print("\n");
+  print("Finer", examples[perception::Origin::finer]);
   return 0;
 }
