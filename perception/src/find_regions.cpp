@@ -87,7 +87,7 @@ class Finder {
   [[nodiscard]] std::vector<float> weights_of_sample() const;
   void bridge(const Eigen::Vector3d& up);
   void drop_steps();
-  [[nodiscard]] View view(const Eigen::Vector3d& up) const;
+  [[nodiscard]] View view(const Eigen::Vector3d& up, std::size_t first) const;
   [[nodiscard]] std::vector<std::int32_t> regions_of_sample() const { return regions_of_points(slots_, slot_of_point_); }
   [[nodiscard]] Origin origin(std::size_t region) const;
   void judge(const Eigen::Vector3d& up, std::size_t first);
@@ -224,10 +224,13 @@ void Finder::drop_steps() {
   refit(slots_, planes_);
 }
 
-/// At what slant the sensor saw each region, by some of its points, and how these scatter.
-View Finder::view(const Eigen::Vector3d& up) const {
+/// At what slant the sensor saw each region from `first` on, by some of its points, and how these scatter.
+View Finder::view(const Eigen::Vector3d& up, std::size_t first) const {
   constexpr std::size_t kSome = 200;
-  const std::vector<std::int32_t> of_point = regions_of_sample();
+  std::vector<std::int32_t> of_point = regions_of_sample();
+  for (std::int32_t& r : of_point) {
+    if (r < static_cast<std::int32_t>(first)) r = -1;
+  }
   View view{up, found_.noise, {}, scatters(sample_.cloud, of_point, planes_)};
   for (const std::vector<std::uint32_t>& all : points_of_regions(of_point, planes_.size())) {
     std::vector<std::uint32_t> some;
@@ -248,7 +251,7 @@ Origin Finder::origin(std::size_t region) const {
 /// goes to that one.
 void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   const std::vector<FaceTraits> traits =
-      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up), things_);
+      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up, first), things_);
   if (questions_ != nullptr) {
     questions_->points = sample_.points;
     FaceRound& round = questions_->rounds.emplace_back(FaceRound{first, traits, {}, regions_of_sample()});
