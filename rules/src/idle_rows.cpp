@@ -42,7 +42,7 @@ class IdleRows {
         if (std::find(measured.begin(), measured.end(), row.feature) != measured.end()) continue;
         note(where, "has no effect: no plane has a value of '" + row.feature + "', since no rule file defines it any more: put the file of "
                     "the feature back" + leave_out);
-      } else if (feature->weight <= 0 && !learned_.contains({row.object_class, row.feature}) && !with_kinds_.contains(row.object_class)) {
+      } else if (feature->weight <= 0 && !learned_.contains({row.object_class, row.feature}) && !with_kinds_.contains(row.object_class) && !told_otherwise(row)) {
         // What was learned has a histogram or kinds; that the feature counts for nothing was found out, not overlooked.
         note(where, "has no effect: the weight of feature '" + row.feature + "' is 0; give it one (UPDATE feature SET weight = 0.3 WHERE name = '" +
                     row.feature + "')" + instead_of(row.feature) + leave_out);
@@ -95,6 +95,17 @@ class IdleRows {
     const auto counts = [&](const kb::Feature& f) { return f.name == other && f.weight > 0; };
     const bool known = std::any_of(knowledge_.features.begin(), knowledge_.features.end(), counts);
     return known ? ", write the row for '" + other + "', which counts" : "";
+  }
+
+  /// Whether robust measures that count say the size of the class as well: then nothing was overlooked, as in the packs.
+  [[nodiscard]] bool told_otherwise(const kb::ClassFeature& row) const {
+    const auto counts = [&](const std::string& feature) {
+      const auto same = [&](const kb::ClassFeature& r) { return r.object_class == row.object_class && r.feature == feature; };
+      const auto weighs = [&](const kb::Feature& f) { return f.name == feature && f.weight > 0; };
+      return std::any_of(knowledge_.class_features.begin(), knowledge_.class_features.end(), same) &&
+             std::any_of(knowledge_.features.begin(), knowledge_.features.end(), weighs);
+    };
+    return row.feature == "area_m2" ? counts("spread_length") && counts("spread_width") : counts("spread_" + row.feature);
   }
 
   const kb::Knowledge& knowledge_;
