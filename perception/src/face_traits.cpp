@@ -64,7 +64,8 @@ class Measure {
  public:
   Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
           const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things)
-      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things), walls_(heading_of_walls(planes, view.up)), tally_(planes.size()), owner_(grid.count()) {
+      : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things),
+        walls_(heading_of_walls(planes, view.up)), tally_(planes.size()), owner_(grid.count()) {
     bent_.reserve(planes.size());
     for (const PlaneFit& plane : planes) bent_.emplace_back(plane);
   }

@@ -53,14 +53,14 @@ Scene scene_of(const Pieces& pieces) {
 
 const Limits kLimits{.max_point_distance = 1.6, .max_plane_distance = 0.03, .max_mse = 1e-4, .min_points = 20, .max_neighbours = 30, .small_plane_step = 0.3};
 
-/// Whether the pieces, each a region of its own, are found to be one.
-bool bridged(const Scene& scene, const Limits& limits = kLimits) {
+/// Whether the pieces 0 and 1, each a region of its own as what lies behind them is, are found to be one; `noise` in metres.
+bool bridged(const Scene& scene, double noise = 0.004, const Limits& limits = kLimits) {
   Regions regions;
   for (const int truth : scene.truth) regions.of_point.push_back(truth);
   regions.planes.resize(3);
   refit(scene.cloud, regions);
-  const auto into = bridge_pieces(scene.cloud, Vector::UnitZ(), limits, {0.004, 0.004, 0.004}, regions);
-  EXPECT_EQ(into[2], 2) << "the floor is another surface";
+  const auto into = bridge_pieces(scene.cloud, Vector::UnitZ(), limits, {noise, noise, noise}, regions);
+  EXPECT_EQ(into[2], 2) << "what lies behind is another surface";
   return into[0] == into[1];
 }
 
@@ -81,7 +81,7 @@ TEST(BridgePieces, LeavesApartWhatOneTableWouldBeTooLongFor) {
 TEST(BridgePieces, LeavesApartWhatTheUserWantsConnectedMoreClosely) {
   Limits limits = kLimits;
   limits.max_point_distance = limits.small_plane_step = 0.2;
-  EXPECT_FALSE(bridged(scene_of({}), limits));
+  EXPECT_FALSE(bridged(scene_of({}), 0.004, limits));
 }
 
 TEST(BridgePieces, KnowsOfNoShadowsWithoutASensor) {
@@ -99,6 +99,7 @@ struct Fronts {
 };
 
 bool one_front(const Fronts& fronts) {
+  constexpr double kNoise = 0.006;
   const Vector eye(0.8, -2.5, 1.2);
   Scene scene;
   Random random(7);
@@ -109,18 +110,12 @@ bool one_front(const Fronts& fronts) {
     const auto crossing = [&](double y) { return Vector(eye + (y - eye.y()) / (wall.y() - eye.y()) * (wall - eye)); };
     const Vector first = crossing(0), second = crossing(-fronts.off);
     const bool high = first.z() > 0.2 && first.z() < 1.4;
-    const Vector noise = 0.006 * random.normal() * (wall - eye).normalized();
+    const Vector noise = kNoise * random.normal() * (wall - eye).normalized();
     if (high && first.x() > 0 && first.x() < 0.6) scene.add(first + noise, 0);
     else if (high && second.x() > 1.1 && second.x() < end) scene.add(second + noise, 1);
     else if (fronts.seen_through || first.x() < 0 || first.x() > 1.1 || !high) scene.add(wall + noise, 2);
   }
-  Regions regions;
-  for (const int truth : scene.truth) regions.of_point.push_back(truth);
-  regions.planes.resize(3);
-  refit(scene.cloud, regions);
-  const auto into = bridge_pieces(scene.cloud, Vector::UnitZ(), kLimits, {0.006, 0.006, 0.006}, regions);
-  EXPECT_EQ(into[2], 2) << "the wall is another surface";
-  return into[0] == into[1];
+  return bridged(scene, kNoise);
 }
 
 TEST(BridgePieces, JoinsFrontsThatOnlyAShadowParts) {

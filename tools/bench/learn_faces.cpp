@@ -24,7 +24,7 @@ namespace {
 using namespace scenelore;
 
 constexpr double kSame = 0.5;
-constexpr std::size_t kDepth = 4;        // as perception::kQuestions
+constexpr std::size_t kDepth = 4;        // as kQuestions of face_model.cpp
 constexpr std::size_t kUnknownIn = 4;    // scans: in every so many it is also asked what is told without the sensor's position
 
 std::vector<simulator::SimulationOptions> scans() {
