@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scenelore/perception/memory.hpp"
+
 namespace scenelore::perception {
 
 Pyramid make_pyramid(const VoxelGrid& grid, int threads) {
@@ -10,9 +12,10 @@ Pyramid make_pyramid(const VoxelGrid& grid, int threads) {
   pyramid.levels.reserve(Pyramid::kLevels);
   const VoxelGrid* finer = &grid;
   for (int level = 0; level < Pyramid::kLevels; ++level) {
-    pyramid.levels.push_back(coarsened(*finer, finer->moments, threads));
+    pyramid.levels.push_back(coarsened(*finer, threads));
     finer = &pyramid.levels.back().grid;
   }
+  for (Coarser& level : pyramid.levels) release(level.grid.moments);  // which regions touch is a matter of places
   return pyramid;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "scenelore/perception/memory.hpp"
 #include "scenelore/perception/parallel.hpp"
 #include "slots.hpp"
 
@@ -10,6 +11,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kExplained = 0.8;  // of the tolerance
+constexpr std::size_t kVoxels = 2048;  // that a thread takes at a time
 
 bool parallel(const PlaneFit& a, const PlaneFit& b) { return std::abs(a.normal.dot(b.normal)) > 0.94; }  // 20 degrees
 
@@ -29,56 +31,77 @@ Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double st
   return {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()), static_cast<float>(e), static_cast<float>(reach / unit), handicap};
 }
 
-/// The slots of all voxels, without their points.
-Slots layout(const VoxelGrid& grid, const Candidates& candidates, const std::vector<bool>& only, std::size_t planes, const Slots* before) {
+/// A voxel's own slots: one for each candidate, and the last one.
+std::uint32_t slots_of(const Candidates& candidates, std::size_t v) { return candidates.first[v + 1] - candidates.first[v] + 1; }
+
+/// `rulers`: number of the first plane's.
+void lay_out(const Candidates& candidates, std::size_t v, std::size_t rulers, Slots& slots) {
+  std::uint32_t s = slots.first[v];
+  for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k, ++s) {
+    slots.region[s] = candidates.regions[k];
+    slots.ruler[s] = static_cast<std::int32_t>(rulers) + candidates.regions[k];
+  }
+  slots.region[s] = slots.ruler[s] = -1;
+}
+
+void resize(Slots& slots, std::size_t count) {
+  slots.voxel.resize(count), slots.region.resize(count), slots.ruler.resize(count);
+  if (count > slots.moments.capacity()) slots.moments.reserve(count + count / 16);  // not twice as much
+  slots.moments.resize(count);
+}
+
+void move_slot(Slots& slots, std::uint32_t from, std::uint32_t to) {
+  slots.region[to] = slots.region[from], slots.ruler[to] = slots.ruler[from];
+  slots.moments[to] = slots.moments[from];
+}
+
+/// The slots of all voxels, without their points and room for moments.
+Slots layout(const VoxelGrid& grid, const Candidates& candidates) {
   Slots slots;
   slots.first.resize(grid.count() + 1);
-  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < grid.count(); ++v) slots.first[v + 1] = slots.first[v] + slots_of(candidates, v);
+  slots.voxel.resize(slots.first.back()), slots.region.resize(slots.first.back()), slots.ruler.resize(slots.first.back());
   for (std::size_t v = 0; v < grid.count(); ++v) {
-    slots.first[v] = count;
-    count += only.empty() || only[v] ? candidates.first[v + 1] - candidates.first[v] + 1 : before->first[v + 1] - before->first[v];
-  }
-  slots.first[grid.count()] = count;
-  slots.voxel.resize(count);
-  slots.region.resize(count);
-  slots.ruler.resize(count);
-  slots.moments.resize(count);
-  for (std::size_t v = 0; v < grid.count(); ++v) {
-    std::uint32_t s = slots.first[v];
-    const auto add = [&](std::int32_t region, std::int32_t ruler) {
-      slots.voxel[s] = static_cast<std::uint32_t>(v), slots.region[s] = region, slots.ruler[s] = ruler;
-      ++s;
-    };
-    if (only.empty() || only[v]) {
-      for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k) add(candidates.regions[k], candidates.regions[k]);
-      add(-1, -1);
-    } else {
-      for (std::uint32_t k = before->first[v]; k < before->first[v + 1]; ++k) {
-        add(before->region[k], before->ruler[k] < 0 ? -1 : static_cast<std::int32_t>(planes) + before->ruler[k]);
-      }
-    }
+    std::fill(slots.voxel.begin() + slots.first[v], slots.voxel.begin() + slots.first[v + 1], static_cast<std::uint32_t>(v));
+    lay_out(candidates, v, 0, slots);
   }
   return slots;
 }
 
-class Assigner {
- public:
-  Assigner(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule,
-           Slots& slots, const Slots* before, std::vector<std::uint32_t>& slot_of_point)
-      : cloud_(cloud), grid_(grid), voxels_(voxels), candidates_(candidates), planes_(planes), rule_(rule), slots_(slots), before_(before), slot_of_point_(slot_of_point),
-        step_(grid.size / kFixedSteps) {}
-
-  void run(int threads) {
-    if (voxels_.sorted.first.empty()) {
-      by_points(threads);
-    } else {
-      parallel_pieces(grid_.count(), 2048, threads, [&](std::size_t begin, std::size_t end) { by_voxels(begin, end); });
-    }
+/// Makes room for other slots in some voxels, in place: two sets of them would be the most that is in memory at this time. What is kept moves
+/// to the front, then, last voxel first, to where it belongs. Returns where each voxel's slots began before.
+std::vector<std::uint32_t> lay_out_anew(const std::vector<bool>& anew, const Candidates& candidates, Slots& slots) {
+  const std::size_t voxels = anew.size();
+  std::vector<std::uint32_t> first(voxels + 1, 0);
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < voxels; ++v) {
+    const std::uint32_t own = slots.first[v + 1] - slots.first[v];
+    first[v + 1] = first[v] + (anew[v] ? slots_of(candidates, v) : own);
+    if (anew[v]) continue;
+    for (std::uint32_t s = slots.first[v]; s < slots.first[v + 1]; ++s, ++kept) move_slot(slots, s, kept);
   }
+  resize(slots, first.back());
+  std::swap(slots.first, first);
+  for (std::size_t v = voxels; v-- > 0;) {
+    for (std::uint32_t s = slots.first[v + 1]; s-- > slots.first[v];) {
+      slots.voxel[s] = static_cast<std::uint32_t>(v);
+      if (!anew[v]) move_slot(slots, --kept, s);
+    }
+    if (anew[v]) lay_out(candidates, v, slots.rulers.size(), slots);
+  }
+  return first;
+}
 
- private:
-  [[nodiscard]] bool stays(std::size_t v) const { return before_ != nullptr && !rule_.only[v]; }
+/// The choice between the slots of one voxel.
+class Chooser {
+ public:
+  Chooser(const VoxelGrid& grid, const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule, const Slots& slots)
+      : grid_(grid), candidates_(candidates), planes_(planes), rule_(rule), slots_(slots), step_(grid.size / kFixedSteps) {}
 
+  /// Metres a step.
+  [[nodiscard]] double step() const { return step_; }
+
+  /// Of a slot of a plane. `corner`: of its voxel.
   [[nodiscard]] Ruler ruler_of(std::uint32_t slot, const Eigen::Vector3d& corner) const {
     const std::int32_t r = slots_.region[slot];
     const std::uint32_t v = slots_.voxel[slot];
@@ -106,151 +129,198 @@ class Assigner {
     return owner;
   }
 
-  void keep_moments(std::size_t v) {
-    for (std::uint32_t k = 0; k < slots_.first[v + 1] - slots_.first[v]; ++k) slots_.moments[slots_.first[v] + k] = before_->moments[before_->first[v] + k];
-  }
-
-  void by_voxels(std::size_t begin, std::size_t end);
-  void by_points(int threads);
-  void take_points(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, std::vector<FixedMoments>& sums) const;
-
-  const Cloud& cloud_;
+ private:
   const VoxelGrid& grid_;
-  const VoxelPoints& voxels_;
   const Candidates& candidates_;
   const std::vector<PlaneFit>& planes_;
   const AssignRule& rule_;
-  Slots& slots_;
-  const Slots* before_;
-  std::vector<std::uint32_t>& slot_of_point_;
-  double step_;  ///< metres
+  const Slots& slots_;
+  double step_;
 };
 
-/// Sorted points are taken voxel by voxel: rulers and sums of one voxel are all there is at a time. The first slot of a voxel mostly
-/// holds most of its points: it is found as what the others leave.
-void Assigner::by_voxels(std::size_t begin, std::size_t end) {
-  const PointsByVoxel& sorted = voxels_.sorted;
-  std::vector<Ruler> rulers;
-  std::vector<FixedMoments> sums;
-  for (std::size_t v = begin; v < end; ++v) {
-    const std::uint32_t first = slots_.first[v];
-    if (stays(v)) {
-      keep_moments(v);
-      const std::uint32_t moved = first - before_->first[v];
-      for (std::uint32_t k = sorted.first[v]; moved != 0 && k < sorted.first[v + 1]; ++k) slot_of_point_[sorted.point[k]] += moved;
-      continue;
-    }
-    const Eigen::Vector3d corner = grid_.corner(v);
-    const std::uint32_t none = slots_.first[v + 1] - 1 - first;
-    rulers.clear();
-    for (std::uint32_t k = 0; k < none; ++k) rulers.push_back(ruler_of(first + k, corner));
-    if (none == 1) {  // most voxels
-      const Ruler ruler = rulers.front();
-      FixedMoments left;
-      for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) {
-        const auto [x, y, z] = sorted.at[k];
-        const bool held = ruler.distance(x, y, z) < ruler.reach;
-        slot_of_point_[sorted.point[k]] = held ? first : first + 1;
-        if (!held) left.add(x, y, z);
-      }
-      slots_.moments[first + 1] = to_moments(left, corner, step_);
-      FixedMoments own = voxels_.fixed[v];
-      own -= left;
-      slots_.moments[first] = to_moments(own, corner, step_);
-      continue;
-    }
-    sums.assign(none + 1, FixedMoments());
-    for (std::uint32_t k = sorted.first[v]; k < sorted.first[v + 1]; ++k) {
-      const auto [x, y, z] = sorted.at[k];
-      const std::uint32_t s = choose(rulers, first, x, y, z);
-      slot_of_point_[sorted.point[k]] = first + s;
-      if (s != 0) sums[s].add(x, y, z);
-    }
-    sums[0] = voxels_.fixed[v];
-    for (std::uint32_t k = 1; k <= none; ++k) {
-      sums[0] -= sums[k];
-      slots_.moments[first + k] = to_moments(sums[k], corner, step_);
-    }
-    slots_.moments[first] = to_moments(sums[0], corner, step_);
+/// Sorted points are taken voxel by voxel: rulers and sums of one voxel are all there is at a time.
+class ByVoxels {
+ public:
+  ByVoxels(const PointsByVoxel& points, const VoxelGrid& grid, const Chooser& chooser, SlotOfPoint& slot_of_point, Slots& slots)
+      : points_(points), grid_(grid), chooser_(chooser), slot_of_point_(slot_of_point), slots_(slots) {}
+
+  void assign(std::size_t v);
+
+ private:
+  const PointsByVoxel& points_;
+  const VoxelGrid& grid_;
+  const Chooser& chooser_;
+  SlotOfPoint& slot_of_point_;
+  Slots& slots_;
+  std::vector<Ruler> rulers_;
+  std::vector<FixedMoments> sums_;
+};
+
+void ByVoxels::assign(std::size_t v) {
+  const Eigen::Vector3d corner = grid_.corner(v);
+  const std::uint32_t first = slots_.first[v], none = slots_.first[v + 1] - 1 - first;
+  rulers_.clear();
+  for (std::uint32_t k = 0; k < none; ++k) rulers_.push_back(chooser_.ruler_of(first + k, corner));
+  sums_.assign(none + 1, FixedMoments());
+  for (std::uint32_t k = points_.first[v]; k < points_.first[v + 1]; ++k) {
+    const auto [x, y, z] = points_.at[k];
+    // Most voxels have one candidate.
+    const std::uint32_t s = none == 1 ? (rulers_[0].distance(x, y, z) < rulers_[0].reach ? 0 : 1) : chooser_.choose(rulers_, first, x, y, z);
+    slot_of_point_[points_.point[k]] = static_cast<std::int32_t>(first + s);
+    sums_[s].add(x, y, z);
   }
+  for (std::uint32_t k = 0; k <= none; ++k) slots_.moments[first + k] = to_moments(sums_[k], corner, chooser_.step());
 }
 
-void Assigner::take_points(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, std::vector<FixedMoments>& sums) const {
-  const FixedScale scale(grid_.size);
+/// Sums of which a run of points, which is somewhere in the room, touches a part: pages of them, made when first asked for.
+class PagedSums {
+ public:
+  explicit PagedSums(std::size_t count = 0) : pages_(count / kPage + 1) {}
+
+  FixedMoments& operator[](std::size_t k) {
+    std::vector<FixedMoments>& page = pages_[k / kPage];
+    if (page.empty()) page.resize(kPage);
+    return page[k % kPage];
+  }
+  void add_to(FixedMoments& sum, std::size_t k) const {
+    if (const std::vector<FixedMoments>& page = pages_[k / kPage]; !page.empty()) sum += page[k % kPage];
+  }
+
+ private:
+  static constexpr std::size_t kPage = 1024;
+  std::vector<std::vector<FixedMoments>> pages_;
+};
+
+/// Points in the order of the cloud, each thread with sums of its own. A voxel's first slot mostly holds most of its points: it is found as
+/// what the others leave, and has no sums; slot s of voxel v has number s − v − 1 among the others.
+class ByPoints {
+ public:
+  ByPoints(const Cloud& cloud, const VoxelisedCloud& voxels, const Chooser& chooser, SlotOfPoint& slot_of_point, Slots& slots)
+      : cloud_(cloud), voxels_(voxels), chooser_(chooser), slot_of_point_(slot_of_point), slots_(slots) {}
+
+  void run(int threads);
+
+ private:
+  [[nodiscard]] std::vector<Ruler> rulers(int threads) const;
+  void take(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, PagedSums& sums) const;
+  void set_moments(const std::vector<PagedSums>& sums, int threads);
+
+  const Cloud& cloud_;
+  const VoxelisedCloud& voxels_;
+  const Chooser& chooser_;
+  SlotOfPoint& slot_of_point_;
+  Slots& slots_;
+};
+
+void ByPoints::take(std::span<const Ruler> rulers, std::size_t begin, std::size_t end, PagedSums& sums) const {
+  PointLocator locator(voxels_.grid);
   for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t v = voxels_.of_point[i];
+    FixedPlace at;
+    const std::uint32_t v = locator.locate(cloud_.x[i], cloud_.y[i], cloud_.z[i], at);
     if (v == kNoVoxel) {
-      slot_of_point_[i] = kNoVoxel;
+      slot_of_point_[i] = -1;
       continue;
     }
     const std::uint32_t first = slots_.first[v], none = slots_.first[v + 1] - 1;
-    if (stays(v)) {
-      slot_of_point_[i] = first + (slot_of_point_[i] - before_->first[v]);
-      continue;
-    }
     if (first == none) {
-      slot_of_point_[i] = none;
+      slot_of_point_[i] = static_cast<std::int32_t>(none);
       continue;
     }
-    const auto [x, y, z] = scale.within_voxel(cloud_.x[i], cloud_.y[i], cloud_.z[i]);
-    const std::uint32_t s = first + choose(rulers.subspan(first, none - first), first, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-    slot_of_point_[i] = s;
-    if (s != first) sums[s].add(x, y, z);
+    const auto [x, y, z] = at.within;
+    const std::uint32_t s = first + chooser_.choose(rulers.subspan(first, none - first), first, static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    slot_of_point_[i] = static_cast<std::int32_t>(s);
+    if (s != first) sums[s - v - 1].add(x, y, z);
   }
 }
 
-/// Points in the order of the cloud, each thread with sums of its own.
-void Assigner::by_points(int threads) {
+std::vector<Ruler> ByPoints::rulers(int threads) const {
   std::vector<Ruler> rulers(slots_.count());
   parallel_pieces(slots_.count(), 8192, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
-      if (slots_.region[s] >= 0 && !stays(slots_.voxel[s])) rulers[s] = ruler_of(static_cast<std::uint32_t>(s), grid_.corner(slots_.voxel[s]));
+      if (slots_.region[s] >= 0) rulers[s] = chooser_.ruler_of(static_cast<std::uint32_t>(s), voxels_.grid.corner(slots_.voxel[s]));
     }
   });
+  return rulers;
+}
+
+void ByPoints::run(int threads) {
   constexpr std::size_t kSmallest = 1 << 15;
   const std::size_t pieces = std::clamp<std::size_t>(cloud_.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
   const std::size_t length = (cloud_.size() + pieces - 1) / pieces;
-  std::vector<std::vector<FixedMoments>> sums(pieces);
+  std::vector<PagedSums> sums(pieces);
+  std::vector<Ruler> all = rulers(threads);
   parallel_pieces(pieces, 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      sums[p].resize(slots_.count());
-      take_points(rulers, std::min(cloud_.size(), p * length), std::min(cloud_.size(), (p + 1) * length), sums[p]);
+      sums[p] = PagedSums(slots_.count() - voxels_.grid.count());
+      take(all, std::min(cloud_.size(), p * length), std::min(cloud_.size(), (p + 1) * length), sums[p]);
     }
   });
-  parallel_pieces(grid_.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
+  release(all);
+  set_moments(sums, threads);
+}
+
+void ByPoints::set_moments(const std::vector<PagedSums>& sums, int threads) {
+  const VoxelGrid& grid = voxels_.grid;
+  slots_.moments.resize(slots_.count());
+  parallel_pieces(grid.count(), 2048, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      if (stays(v)) {
-        keep_moments(v);
-        continue;
-      }
-      const Eigen::Vector3d corner = grid_.corner(v);
+      const Eigen::Vector3d corner = grid.corner(v);
       FixedMoments left = voxels_.fixed[v];
       for (std::uint32_t s = slots_.first[v] + 1; s < slots_.first[v + 1]; ++s) {
         FixedMoments own;
-        for (const auto& part : sums) own += part[s];
+        for (const PagedSums& part : sums) part.add_to(own, s - v - 1);
         left -= own;
-        slots_.moments[s] = to_moments(own, corner, step_);
+        slots_.moments[s] = to_moments(own, corner, chooser_.step());
       }
-      slots_.moments[slots_.first[v]] = to_moments(left, corner, step_);
+      slots_.moments[slots_.first[v]] = to_moments(left, corner, chooser_.step());
     }
   });
 }
 
 }  // namespace
 
-Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Candidates& candidates,
-                    const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads, std::vector<std::uint32_t>& slot_of_point, const Slots* before) {
-  if (rule.only.empty()) before = nullptr;
-  Slots slots = layout(grid, candidates, rule.only, planes.size(), before);
+Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
+                    const AssignRule& rule, int threads, SlotOfPoint& slot_of_point) {
+  slot_of_point.resize(cloud.size());
+  Slots slots = layout(voxels.grid, candidates);
   slots.rulers.assign(planes.begin(), planes.end());
   slots.reach = rule.reach;
-  if (before != nullptr) {
-    slots.rulers.insert(slots.rulers.end(), before->rulers.begin(), before->rulers.end());
-    slots.reach.insert(slots.reach.end(), before->reach.begin(), before->reach.end());
-  }
-  slot_of_point.resize(cloud.size());
-  Assigner(cloud, grid, voxels, candidates, planes, rule, slots, before, slot_of_point).run(threads);
+  const Chooser chooser(voxels.grid, candidates, planes, rule, slots);
+  ByPoints(cloud, voxels, chooser, slot_of_point, slots).run(threads);
   return slots;
+}
+
+Slots assign_points(const PointsByVoxel& points, const VoxelGrid& grid, const Candidates& candidates, const std::vector<PlaneFit>& planes,
+                    const AssignRule& rule, int threads, SlotOfPoint& slot_of_point) {
+  Slots slots = layout(grid, candidates);
+  slots.rulers.assign(planes.begin(), planes.end());
+  slots.reach = rule.reach;
+  slots.moments.resize(slots.count());
+  slot_of_point.resize(points.point.size());
+  const Chooser chooser(grid, candidates, planes, rule, slots);
+  parallel_pieces(grid.count(), kVoxels, threads, [&](std::size_t begin, std::size_t end) {
+    ByVoxels work(points, grid, chooser, slot_of_point, slots);
+    for (std::size_t v = begin; v < end; ++v) work.assign(v);
+  });
+  return slots;
+}
+
+void assign_anew(const PointsByVoxel& points, const VoxelGrid& grid, const std::vector<bool>& anew, const Candidates& candidates,
+                 const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads, SlotOfPoint& slot_of_point, Slots& slots) {
+  const std::vector<std::uint32_t> before = lay_out_anew(anew, candidates, slots);
+  slots.rulers.insert(slots.rulers.end(), planes.begin(), planes.end());
+  slots.reach.insert(slots.reach.end(), rule.reach.begin(), rule.reach.end());
+  const Chooser chooser(grid, candidates, planes, rule, slots);
+  parallel_pieces(grid.count(), kVoxels, threads, [&](std::size_t begin, std::size_t end) {
+    ByVoxels work(points, grid, chooser, slot_of_point, slots);
+    for (std::size_t v = begin; v < end; ++v) {
+      if (anew[v]) {
+        work.assign(v);
+      } else if (const auto moved = static_cast<std::int32_t>(slots.first[v] - before[v]); moved != 0) {
+        for (std::uint32_t k = points.first[v]; k < points.first[v + 1]; ++k) slot_of_point[points.point[k]] += moved;
+      }
+    }
+  });
 }
 
 }  // namespace scenelore::perception

@@ -47,6 +47,7 @@ class BlockTable {
   [[nodiscard]] const Cells& cells(std::size_t block) const { return cells_[block]; }
   /// Number of the block, which is made (empty) when it is not there yet.
   std::uint32_t insert(std::uint64_t key);
+  void reserve(std::size_t blocks) { keys_.reserve(blocks), cells_.reserve(blocks); }
   /// −1 = not there.
   [[nodiscard]] std::int64_t find(std::uint64_t key) const;
   /// Voxel at a place, kNoVoxel = none.
@@ -62,6 +63,28 @@ class BlockTable {
   std::vector<Cells> cells_;
   std::vector<std::int32_t> hash_;  ///< open addressing; −1 = free
   std::size_t mask_ = 0;
+};
+
+/// Looks up places of points in the order of a scan.
+class VoxelFinder {
+ public:
+  explicit VoxelFinder(const BlockTable& table) : table_(table) {}
+
+  /// kNoVoxel = none.
+  [[nodiscard]] std::uint32_t find(VoxelPlace p) {
+    const std::uint64_t key = BlockTable::block_key(p);
+    if (key != key_) {
+      key_ = key;
+      const std::int64_t block = table_.find(key);
+      cells_ = block < 0 ? nullptr : &table_.cells(static_cast<std::size_t>(block));
+    }
+    return cells_ == nullptr ? kNoVoxel : (*cells_)[BlockTable::cell(p)];
+  }
+
+ private:
+  const BlockTable& table_;
+  std::uint64_t key_ = ~std::uint64_t{0};
+  const BlockTable::Cells* cells_ = nullptr;
 };
 
 }  // namespace scenelore::perception

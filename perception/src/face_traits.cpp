@@ -54,10 +54,10 @@ double heading_of_walls(const std::vector<PlaneFit>& planes, const Eigen::Vector
   return std::atan2(sine, cosine) / 4;
 }
 
-/// The region with most of a voxel's points, and where these are.
+/// The region with most of a voxel's points, and the slot of these.
 struct Owner {
   std::int32_t region = -1;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  std::uint32_t slot = 0;
 };
 
 class Measure {
@@ -96,6 +96,7 @@ class Measure {
   [[nodiscard]] double nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const;
   void around(std::size_t v);
   void choose_owner(std::size_t v);
+  [[nodiscard]] double distance(const PlaneFit& plane, const Owner& owner) const { return slots_.moments[owner.slot].mean_distance(plane); }
   [[nodiscard]] double degrees_turned(const PlaneFit& plane) const;
   [[nodiscard]] FaceTraits traits(std::size_t r) const;
 
@@ -116,7 +117,7 @@ void Measure::choose_owner(std::size_t v) {
   double most = 0;
   for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
     const double n = slots_.moments[s].n;
-    if (slots_.region[s] >= 0 && n > most) most = n, owner_[v] = {slots_.region[s], slots_.moments[s].mean()};
+    if (slots_.region[s] >= 0 && n > most) most = n, owner_[v] = {slots_.region[s], s};
   }
 }
 
@@ -136,7 +137,7 @@ void Measure::within(std::size_t v) {
     const LocalSurface& near = surfaces_[v];
     if (!near.normal.isZero()) {
       t.judged += m.n;
-      if (std::abs(near.normal.dot(plane.normal)) > kAgreeing) t.agreeing += m.n;
+      if (std::abs(near.normal.cast<double>().dot(plane.normal)) > kAgreeing) t.agreeing += m.n;
     }
     const double d = m.mean_distance(plane);
     t.uneven += m.n * d * d;
@@ -176,8 +177,8 @@ void Measure::around(std::size_t v) {
       continue;
     }
     const double cosine = std::abs(plane.normal.dot(planes_[other].normal));
-    square = square || (cosine < kSquare && std::abs(plane.distance(owner_[n].middle)) < grid_.size);
-    if (cosine < kFlatterThan && cosine > kSteeperThan) goes_on = goes_on || std::abs(plane.distance(owner_[n].middle)) < kStep * grid_.size;
+    square = square || (cosine < kSquare && std::abs(distance(plane, owner_[n])) < grid_.size);
+    if (cosine < kFlatterThan && cosine > kSteeperThan) goes_on = goes_on || std::abs(distance(plane, owner_[n])) < kStep * grid_.size;
   }
   if (own < 9) t.border += 1, t.square += square;
   t.contact += goes_on;

@@ -20,6 +20,7 @@
 #include "part_outlines.hpp"
 #include "rejoin.hpp"
 #include "scale.hpp"
+#include "scenelore/perception/memory.hpp"
 #include "seen_from.hpp"
 #include "sharp_faces.hpp"
 #include "support.hpp"
@@ -116,7 +117,7 @@ class Finder {
   std::size_t brought_back_ = 0;                    // regions from here on
   std::vector<std::vector<std::int32_t>> earlier_;  // regions of the sample at some stages
   std::vector<bool> bridged_;  // by region: goes on across a shadow
-  std::vector<std::uint32_t> slot_of_point_;  // of the sample, at last of the cloud
+  SlotOfPoint slot_of_point_;          // of the sample, at last of the cloud
 };
 
 void Finder::grow_finest(const SegmentationParameters& parameters) {
@@ -136,14 +137,14 @@ void Finder::grow_coarser() {
   begin("coarser growing");
   Coarser free;
   std::vector<std::uint32_t> cube;     // of each finest voxel, on the level at hand
-  std::vector<Moments> left(voxels_.grid.count());
   const auto none = [&](std::size_t v) { return slots_.first[v + 1] - 1; };
+  const Moments nothing;
+  const auto left = [&](std::size_t v) -> const Moments& { return slots_.region[none(v)] < 0 ? slots_.moments[none(v)] : nothing; };
   for (int level = 1; level < kLevels; ++level) {
-    for (std::size_t v = 0; v < left.size(); ++v) left[v] = slots_.region[none(v)] < 0 ? slots_.moments[none(v)] : Moments();
     free = coarsened(voxels_.grid, left, threads_);
     cube = free.parent;
     for (int wider = 1; wider < level; ++wider) {
-      Coarser next = coarsened(free.grid, free.grid.moments, threads_);
+      Coarser next = coarsened(free.grid, threads_);
       for (std::uint32_t& c : cube) {
         if (c != kNoVoxel) c = next.parent[c];
       }
@@ -154,14 +155,14 @@ void Finder::grow_coarser() {
     const Growth growth = grow_regions(free.grid, surfaces, noise, kFewestToGrow);
     const auto first = static_cast<std::int32_t>(planes_.size());
     planes_.insert(planes_.end(), growth.regions.begin(), growth.regions.end());
-    for (std::size_t v = 0; v < left.size(); ++v) {
+    for (std::size_t v = 0; v < voxels_.grid.count(); ++v) {
       if (cube[v] == kNoVoxel) continue;
       double best = 0.5;  // of the tolerance, which is three or four deviations
       for (const std::int32_t n : free.grid.neighbours[cube[v]]) {
         const std::int32_t r = n < 0 ? -1 : growth.region_of_voxel[static_cast<std::size_t>(n)];
         if (r < 0) continue;
         const PlaneFit& plane = growth.regions[static_cast<std::size_t>(r)];
-        const double d = std::sqrt(left[v].mean_squared_distance(plane)) / tolerance(plane, found_.limits);
+        const double d = std::sqrt(slots_.moments[none(v)].mean_squared_distance(plane)) / tolerance(plane, found_.limits);
         if (d < best) best = d, slots_.region[none(v)] = first + r;
       }
     }
@@ -175,7 +176,8 @@ void Finder::assign() {
   AssignRule rule;
   rule.unit = rule.reach = tolerances(planes_, found_.limits);
   const Candidates candidates = candidates_around(voxels_.grid, slots_, planes_, rule.reach, found_.limits.max_neighbours, threads_);
-  slots_ = assign_points(sample_.cloud, voxels_.grid, sample_.voxels, candidates, planes_, rule, threads_, slot_of_point_);
+  slots_ = {};  // before there are others
+  slots_ = assign_points(sample_.by_voxel, voxels_.grid, candidates, planes_, rule, threads_, slot_of_point_);
   refit(slots_, planes_);
 }
 
@@ -191,8 +193,9 @@ void Finder::merge() {
 std::vector<float> Finder::weights_of_sample() const {
   std::vector<float> weights;
   weights.reserve(sample_.points.size());
-  for (const std::uint32_t v : sample_.voxels.of_point) {
-    weights.push_back(static_cast<float>(voxels_.fixed[v].n) / static_cast<float>(sample_.voxels.fixed[v].n));
+  for (const std::int32_t s : slot_of_point_) {
+    const std::uint32_t v = slots_.voxel[s];
+    weights.push_back(static_cast<float>(voxels_.fixed[v].n) / static_cast<float>(sample_.by_voxel.count(v)));
   }
   return weights;
 }
@@ -231,7 +234,7 @@ View Finder::view(const Eigen::Vector3d& up, std::size_t first) const {
   for (std::int32_t& r : of_point) {
     if (r < static_cast<std::int32_t>(first)) r = -1;
   }
-  View view{up, found_.noise, {}, scatters(sample_.cloud, of_point, planes_)};
+  View view{up, found_.noise, {}, scatters(sample_.cloud, of_point, planes_, threads_)};
   for (const std::vector<std::uint32_t>& all : points_of_regions(of_point, planes_.size())) {
     std::vector<std::uint32_t> some;
     for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / kSome) some.push_back(all[k]);
@@ -301,6 +304,7 @@ FoundRegions Finder::run() {
   earlier_.push_back(regions_of_sample());
   begin("clutter");
   drop_clutter(voxels_.grid, slots_, planes_);
+  release(voxels_.grid.moments);  // from here on slots have them; made again for the result
   assign();  // what clutter held may belong to what is left
   begin("upright");
   found_.upright = estimate_upright(cloud_, by_size(planes_), options_.up, options_.floor_z);
@@ -329,17 +333,17 @@ FoundRegions Finder::run() {
   begin("shadows");
   if (in_detail) bridge(up);
   begin("promises");
-  surfaces_ = {}, noise_of_voxel_ = {}, pyramid_ = {}, earlier_ = {};  // done with; all points need the room
-  separate_parts(sample_.cloud, voxels_.grid, sample_.voxels, found_.limits, threads_, slot_of_point_, slots_, planes_, bridged_);
+  pyramid_ = {};  // done with; all points need the room
+  release(surfaces_, noise_of_voxel_, earlier_);
+  separate_parts(sample_, voxels_.grid, found_.limits, threads_, slot_of_point_, slots_, planes_, bridged_);
   begin("all points");
   spread_from_sample(cloud_, voxels_, sample_, found_.limits, threads_, slot_of_point_, slots_, planes_);
   begin("front edges");
   if (in_detail && !found_.limits.plane_distance_given) free_front_edges(cloud_, found_.noise, threads_, slot_of_point_, slots_, planes_);
   begin("promises");
-  sample_.cloud = {}, sample_.voxels = {};  // which points they are is all that promises ask for
   static_cast<Settled&>(found_) =
       keep_promises(cloud_, voxels_, sample_, slots_, bridged_, found_.limits, threads_, std::move(slot_of_point_));
-  found_.voxels = std::move(voxels_.grid.moments);
+  found_.voxels = moments_of_voxels(voxels_.grid, voxels_.fixed, threads_);
   return std::move(found_);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "grow.hpp"
+#include "scenelore/perception/memory.hpp"
 #include "voxelise.hpp"
 
 namespace scenelore::perception {
@@ -17,12 +18,14 @@ void grow_finer(const Cloud& cloud, double voxel, double fewest, const Limits& l
     left.x.push_back(cloud.x[i]), left.y.push_back(cloud.y[i]), left.z.push_back(cloud.z[i]);
   }
   if (point.empty()) return;
-  const VoxelisedCloud voxels = voxelise(left, voxel, threads);
+  VoxelisedCloud voxels = voxelise(left, voxel, threads);
+  release(voxels.fixed);  // growing asks for moments
   const std::vector<LocalSurface> surfaces = local_surfaces(voxels.grid, threads);
   const Growth growth = grow_regions(voxels.grid, surfaces, estimate_noise(voxels.grid, surfaces, threads), fewest);
   const auto first = static_cast<std::int32_t>(regions.planes.size());
+  PointLocator locator(voxels.grid);
   for (std::size_t k = 0; k < point.size(); ++k) {
-    const std::uint32_t v = voxels.of_point[k];
+    const std::uint32_t v = locator.locate(left, k);
     const std::int32_t r = v == kNoVoxel ? -1 : growth.region_of_voxel[v];
     if (r < 0) continue;
     const PlaneFit& plane = growth.regions[static_cast<std::size_t>(r)];

@@ -41,6 +41,7 @@ class Front {
     return {u_.dot(d), v_.dot(d), plane_.normal.dot(d)};
   }
   void add(std::uint32_t i, const Eigen::Vector3d& place);
+  void make_room(std::size_t points) { points_.reserve(points), cell_of_.reserve(points), height_.reserve(points); }
 
   const Cloud& cloud_;
   const PlaneFit& plane_;
@@ -57,19 +58,18 @@ Front::Front(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::u
   const double along_up = plane.normal.dot(up);
   v_ = std::abs(along_up) > kSteep ? Eigen::Vector3d(plane.axes.col(2)) : (up - along_up * plane.normal).normalized();
   u_ = v_.cross(plane.normal);
-  std::vector<Eigen::Vector3d> places;
-  places.reserve(own.size());
   Eigen::Vector2d high = -corner_;
   for (const std::uint32_t i : own) {
-    places.push_back(at(i));
-    corner_ = corner_.cwiseMin(places.back().head<2>()), high = high.cwiseMax(places.back().head<2>());
+    const Eigen::Vector2d place = at(i).head<2>();
+    corner_ = corner_.cwiseMin(place), high = high.cwiseMax(place);
   }
   const Eigen::Vector2d size = high - corner_;
   empty_.edge = std::max({kFinest, std::sqrt(kWanted * plane.spread_area() / static_cast<double>(own.size())),
                           std::sqrt(size.x() * size.y() / kMostCells)});
   empty_.columns = 1 + static_cast<int>(size.x() / empty_.edge),
   empty_.rows = 1 + static_cast<int>(size.y() / empty_.edge);
-  for (std::size_t k = 0; k < own.size(); ++k) add(own[k], places[k]);
+  make_room(own.size());
+  for (const std::uint32_t i : own) add(i, at(i));
 }
 
 void Front::add(std::uint32_t i, const Eigen::Vector3d& place) {
@@ -86,8 +86,10 @@ void Front::add_guests(const PlaneFit& other, const std::vector<std::uint32_t>& 
   if (c < kParallel) return;
   const double leaning = std::sqrt(1 - c * c) * 2 * std::sqrt(other.variances[2]);
   if (std::abs(plane_.normal.dot(other.centroid - plane_.centroid)) > reach + leaning) return;
+  const auto guest = [&](std::uint32_t i) { return std::abs(at(i).z()) < reach; };
+  make_room(points_.size() + static_cast<std::size_t>(std::count_if(points.begin(), points.end(), guest)));
   for (const std::uint32_t i : points) {
-    if (const Eigen::Vector3d place = at(i); std::abs(place.z()) < reach) add(i, place);
+    if (guest(i)) add(i, at(i));
   }
 }
 

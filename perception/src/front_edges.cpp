@@ -28,14 +28,20 @@ std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane
 }
 
 /// The points of each region that is small enough to be looked at; most points of a room are of large ones.
-std::vector<std::vector<std::uint32_t>> points_of_small(const std::vector<std::uint32_t>& slot_of_point, const Slots& slots, const std::vector<PlaneFit>& planes) {
+std::vector<std::vector<std::uint32_t>> points_of_small(const SlotOfPoint& slot_of_point, const Slots& slots, const std::vector<PlaneFit>& planes) {
   std::vector<std::vector<std::uint32_t>> out(planes.size());
+  std::vector<bool> small(planes.size());
   for (std::size_t r = 0; r < planes.size(); ++r) {
-    if (planes[r].spread_area() <= kLargePlane) out[r].reserve(static_cast<std::size_t>(planes[r].count));
+    small[r] = planes[r].spread_area() <= kLargePlane;
+    if (small[r]) out[r].reserve(static_cast<std::size_t>(planes[r].count));
+  }
+  std::vector<std::int32_t> small_of_slot = slots.region;
+  for (std::int32_t& r : small_of_slot) {
+    if (r >= 0 && !small[r]) r = -1;
   }
   for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
-    const std::int32_t r = slot_of_point[i] == kNoVoxel ? -1 : slots.region[slot_of_point[i]];
-    if (r >= 0 && planes[static_cast<std::size_t>(r)].spread_area() <= kLargePlane) out[static_cast<std::size_t>(r)].push_back(static_cast<std::uint32_t>(i));
+    const std::int32_t r = slot_of_point[i] < 0 ? -1 : small_of_slot[slot_of_point[i]];
+    if (r >= 0) out[r].push_back(static_cast<std::uint32_t>(i));
   }
   return out;
 }
@@ -56,9 +62,19 @@ std::vector<Held> held_by_regions(const Slots& slots, const std::vector<double>&
   return out;
 }
 
+void move_to_none(const Eigen::Vector3d& point, std::int32_t& slot, Slots& slots) {
+  Moments own;
+  own.add(point);
+  Moments& left = slots.moments[slot];
+  left -= own;
+  if (left.n <= 0) left = {};  // points count in whole steps there, which leaves micrometres
+  slot = static_cast<std::int32_t>(slots.first[slots.voxel[slot] + 1] - 1);
+  slots.moments[slot] += own;
+}
+
 }  // namespace
 
-void free_front_edges(const Cloud& cloud, double noise, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+void free_front_edges(const Cloud& cloud, double noise, int threads, SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   if (!cloud.sensors.known()) return;
   const auto members = points_of_small(slot_of_point, slots, planes);
   std::vector<std::vector<std::uint32_t>> freed(members.size());
@@ -72,22 +88,10 @@ void free_front_edges(const Cloud& cloud, double noise, int threads, std::vector
   std::vector<double> of_voxel(slots.first.size(), 0);
   for (std::size_t s = 0; s < slots.count(); ++s) of_voxel[slots.voxel[s]] += slots.moments[s].n;
   const std::vector<Held> held = held_by_regions(slots, of_voxel, planes.size());
-  std::vector<bool> changed(slots.count(), false);
   for (std::size_t r = 0; r < freed.size(); ++r) {
     // Its promises are yet to be kept: what holds too little of its voxels is dropped.
     if (held[r].own - static_cast<double>(freed[r].size()) < kOwnShare * held[r].all) continue;
-    for (const std::uint32_t i : freed[r]) {
-      std::uint32_t& slot = slot_of_point[i];
-      changed[slot] = true;
-      slot = slots.first[slots.voxel[slot] + 1] - 1;
-      changed[slot] = true;
-    }
-  }
-  for (std::size_t s = 0; s < slots.count(); ++s) {
-    if (changed[s]) slots.moments[s] = {};
-  }
-  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
-    if (slot_of_point[i] != kNoVoxel && changed[slot_of_point[i]]) slots.moments[slot_of_point[i]].add(cloud.offset(i).cast<double>());
+    for (const std::uint32_t i : freed[r]) move_to_none(cloud.offset(i).cast<double>(), slot_of_point[i], slots);
   }
   refit(slots, planes);
 }

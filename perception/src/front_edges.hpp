@@ -9,6 +9,6 @@ namespace scenelore::perception {
 /// before the face (face_and_sides.hpp): the front edge of a shelf or a desk, the feet of the books on it. A plane that would then hold
 /// too little of its voxels (kOwnShare) stays as it is, and so do clouds without a sensor's position. `noise`: metres along the ray.
 /// `slot_of_point` is that of the whole cloud; moments of slots and planes are made anew. The same with any number of threads.
-void free_front_edges(const Cloud& cloud, double noise, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
+void free_front_edges(const Cloud& cloud, double noise, int threads, SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes);
 
 }  // namespace scenelore::perception

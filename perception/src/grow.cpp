@@ -83,7 +83,7 @@ bool Grower::fits(std::size_t v) const {
   const LocalSurface& s = surfaces_[v];
   // Next to an edge the neighbourhood holds two surfaces and its normal says nothing; it is then not flat.
   const bool trusted = s.planar && !noise_.rounded[v] && s.rmse < 2 * noise_.of_voxel[v];
-  return !trusted || std::abs(s.normal.dot(plane_.normal)) > kSameDirection;
+  return !trusted || std::abs(s.normal.cast<double>().dot(plane_.normal)) > kSameDirection;
 }
 
 void Grower::refit() {

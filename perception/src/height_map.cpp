@@ -17,23 +17,30 @@ constexpr double kUneven = 0.002;                    // metres: keys, bent cover
 constexpr double kSeedReach = 0.06;                  // metres around a seed: half a keyboard's depth
 constexpr std::size_t kMostSeeds = 60;
 
-CellKey key_at(const Eigen::Vector2d& p, double edge) {
+CellKey key_at(const Eigen::Vector2f& p, double edge) {
   return cell_key(static_cast<std::int64_t>(std::floor(p.x() / edge)), static_cast<std::int64_t>(std::floor(p.y() / edge)), 0);
 }
 
+/// Over 3×3 cells: number and mean height of their samples.
+struct WideCell {
+  double n = 0, height = 0;
+};
+
 /// What does not average out: warped tops, distortion of the camera. Things lie on one side only, so the places below the
 /// middle tell how far the means over 3×3 cells scatter beyond what the noise of their points explains.
-double waviness(const std::vector<HeightMap::Cell>& wide, double noise) {
+double waviness(const std::vector<WideCell>& wide, double noise) {
   std::vector<double> means;
   double noise_squares = 0;
-  for (const HeightMap::Cell& m : wide) {
+  for (const WideCell& m : wide) {
     if (m.n < 15) continue;
     means.push_back(m.height);
     noise_squares += noise * noise / m.n;
   }
   if (means.size() < 20) return 0;
-  std::sort(means.begin(), means.end());
-  const double scatter = means[means.size() * 2 / 5] - means[means.size() / 10];  // one deviation of a Gaussian
+  const auto upper = means.begin() + static_cast<std::ptrdiff_t>(means.size() * 2 / 5), lower = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 10);
+  std::nth_element(means.begin(), upper, means.end());
+  std::nth_element(means.begin(), lower, upper);
+  const double scatter = *upper - *lower;  // one deviation of a Gaussian
   return std::sqrt(std::max(0.0, scatter * scatter - noise_squares / static_cast<double>(means.size())));
 }
 
@@ -161,13 +168,17 @@ void Extractor::extract(const std::vector<std::size_t>& patch, double fewest_poi
   for (const std::size_t c : remaining) left_[c] = 0;
 }
 
+CellIndex cells_of(const std::vector<Sample>& samples, double edge, const std::vector<bool>& left_out) {
+  std::vector<CellKey> keys;
+  keys.reserve(samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k) keys.push_back(!left_out.empty() && left_out[k] ? kNoCell : key_at(samples[k].at, edge));
+  return CellIndex(keys);
+}
+
 }  // namespace
 
 double fitting_edge(const std::vector<Sample>& samples) {
-  std::vector<CellKey> keys;
-  keys.reserve(samples.size());
-  for (const Sample& s : samples) keys.push_back(key_at(s.at, kCoarsest));
-  const CellIndex cells(keys);
+  const CellIndex cells = cells_of(samples, kCoarsest, {});
   std::vector<std::size_t> counts;
   for (std::size_t c = 0; c < cells.size(); ++c) counts.push_back(cells.items(c).size());
   if (counts.empty()) return kCoarsest;
@@ -179,20 +190,18 @@ double fitting_edge(const std::vector<Sample>& samples) {
 HeightMap make_height_map(const std::vector<Sample>& samples, double edge, double noise, const std::vector<bool>& left_out) {
   HeightMap map;
   map.edge = edge;
-  std::vector<CellKey> keys;
-  keys.reserve(samples.size());
-  for (std::size_t k = 0; k < samples.size(); ++k) keys.push_back(!left_out.empty() && left_out[k] ? kNoCell : key_at(samples[k].at, edge));
-  map.cells = CellIndex(keys);
+  map.cells = cells_of(samples, edge, left_out);
   map.cell.resize(map.cells.size());
   for (std::size_t c = 0; c < map.cells.size(); ++c) {
     HeightMap::Cell& cell = map.cell[c];
-    for (const std::uint32_t k : map.cells.items(c)) cell.height += samples[k].height, cell.at += samples[k].at;
+    for (const std::uint32_t k : map.cells.items(c)) cell.height += samples[k].height, cell.at += samples[k].at.cast<double>();
     cell.n = static_cast<double>(map.cells.items(c).size());
     cell.height /= cell.n, cell.at /= cell.n;
   }
-  std::vector<HeightMap::Cell> wide = map.cell;  // over 3×3 cells
+  std::vector<WideCell> wide(map.cell.size());
   for (std::size_t c = 0; c < wide.size(); ++c) {
-    double sum = wide[c].n * wide[c].height;
+    wide[c].n = map.cell[c].n;
+    double sum = map.cell[c].n * map.cell[c].height;
     map.for_each_neighbour(c, [&](std::size_t n) { wide[c].n += map.cell[n].n, sum += map.cell[n].n * map.cell[n].height; });
     wide[c].height = sum / wide[c].n;
   }

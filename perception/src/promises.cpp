@@ -180,7 +180,7 @@ std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std
 
 /// Settles by points what slots could not: one pass collects the points of all of them.
 std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<Unsettled>& sets, const Slots& slots,
-                              const std::vector<std::uint32_t>& slot_of_point, int threads) {
+                              const SlotOfPoint& slot_of_point, int threads) {
   std::vector<Part> result;
   if (sets.empty()) return result;
   std::vector<std::int32_t> set_of_slot(slots.count(), -1);
@@ -190,7 +190,7 @@ std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const st
     points[k].reserve(static_cast<std::size_t>(moments_of(slots, sets[k].slots).n));
   }
   for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
-    if (slot_of_point[i] == kNoVoxel) continue;
+    if (slot_of_point[i] < 0) continue;
     const std::int32_t k = set_of_slot[slot_of_point[i]];
     if (k >= 0) points[static_cast<std::size_t>(k)].push_back(static_cast<std::uint32_t>(i));
   }
@@ -204,8 +204,8 @@ std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const st
 
 }  // namespace
 
-void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Limits& limits, int threads,
-                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes, std::vector<bool>& bridged) {
+void separate_parts(const PointSample& sample, const VoxelGrid& grid, const Limits& limits, int threads,
+                    SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes, std::vector<bool>& bridged) {
   bridged.resize(planes.size(), false);
   std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, planes.size());
   std::vector<std::vector<Group>> groups(planes.size());
@@ -215,8 +215,7 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
   });
   std::fill(slots.region.begin(), slots.region.end(), -1);
   planes.clear();
-  AssignRule rule;
-  rule.only.assign(grid.count(), false);
+  std::vector<bool> anew(grid.count(), false);
   bool moved = false;
   std::vector<bool> whole_bridged;
   for (std::size_t r = 0; r < groups.size(); ++r) {
@@ -225,7 +224,7 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
       const bool kept = surely_within(grid, slots, group.members, group.plane, limits.max_plane_distance * (1 - kExactness));
       for (const std::uint32_t s : group.members) {
         slots.region[s] = static_cast<std::int32_t>(planes.size());
-        if (!kept) rule.only[slots.voxel[s]] = moved = true;
+        if (!kept) anew[slots.voxel[s]] = moved = true;
       }
       planes.push_back(group.plane);
     }
@@ -233,16 +232,17 @@ void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints
   bridged = std::move(whole_bridged);
   if (!moved) return;
   const std::vector<std::int32_t> region_of_point = regions_of_points(slots, slot_of_point);
-  rule.reach = reaches(cloud, region_of_point, planes, limits);
-  rule.unit = scatters(cloud, region_of_point, planes);
+  AssignRule rule;
+  rule.reach = reaches(sample.cloud, region_of_point, planes, limits, threads);
+  rule.unit = scatters(sample.cloud, region_of_point, planes, threads);
   rule.larger_first = false;
   const Candidates candidates = candidates_within(slots, rule.unit);
-  slots = assign_points(cloud, grid, voxels, candidates, planes, rule, threads, slot_of_point, &slots);
+  assign_anew(sample.by_voxel, grid, anew, candidates, planes, rule, threads, slot_of_point, slots);
   refit(slots, planes);
 }
 
 Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots, const std::vector<bool>& bridged,
-                      const Limits& limits, int threads, std::vector<std::uint32_t> slot_of_point) {
+                      const Limits& limits, int threads, SlotOfPoint slot_of_point) {
   const std::size_t regions = bridged.size();
   std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots, regions);
   std::vector<Settling> settled(regions);
@@ -282,10 +282,11 @@ Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const Po
     for (const std::uint32_t s : parts[p].slots) part_of_slot[s] = static_cast<std::int32_t>(p);
     result.regions.planes.push_back(parts[p].plane);
   }
-  result.regions.of_point.resize(cloud.size());
+  result.regions.of_point = std::move(slot_of_point);
   parallel_pieces(cloud.size(), 1 << 17, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      result.regions.of_point[i] = slot_of_point[i] == kNoVoxel ? -1 : part_of_slot[slot_of_point[i]];
+      std::int32_t& number = result.regions.of_point[i];  // of its slot, then of its plane
+      number = number < 0 ? -1 : part_of_slot[number];
     }
   });
   bool whole = true;

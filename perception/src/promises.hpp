@@ -18,13 +18,13 @@ struct Settled {
 /// Makes the connected parts of each region regions of their own, and where their planes differ from those that the points
 /// were given to, gives the points to them anew. `bridged` says of each region, and then of each part, whether it goes on across shadows:
 /// its points may be `max_point_distance` apart, however small it is, and need not fill its rectangle.
-void separate_parts(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels, const Limits& limits, int threads,
-                    std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes, std::vector<bool>& bridged);
+void separate_parts(const PointSample& sample, const VoxelGrid& grid, const Limits& limits, int threads,
+                    SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes, std::vector<bool>& bridged);
 
 /// Splits, trims and drops regions until every one keeps all limits. Mostly the moments and rulers of the slots prove it;
 /// the points are looked at only where they do not. What is too narrow, too thick or too loosely filled to be a surface
 /// (edges, legs, frames) is dropped. `bridged`: by region, as separate_parts leaves it. `slot_of_point` is used up.
 [[nodiscard]] Settled keep_promises(const Cloud& cloud, const VoxelisedCloud& voxels, const PointSample& sample, const Slots& slots,
-                                    const std::vector<bool>& bridged, const Limits& limits, int threads, std::vector<std::uint32_t> slot_of_point);
+                                    const std::vector<bool>& bridged, const Limits& limits, int threads, SlotOfPoint slot_of_point);
 
 }  // namespace scenelore::perception

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenelore/perception/parallel.hpp"
 #include "seen_from.hpp"
 
 namespace scenelore::perception {
@@ -22,12 +23,10 @@ double tolerance(const PlaneFit& plane, const Limits& limits) {
 
 namespace {
 
-std::vector<std::vector<float>> distances_of(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes) {
-  std::vector<std::vector<float>> distances(planes.size());
-  for (std::size_t i = 0; i < of_point.size(); ++i) {
-    const std::int32_t r = of_point[i];
-    if (r >= 0) distances[r].push_back(static_cast<float>(std::abs(planes[r].distance(cloud.offset(i).cast<double>()))));
-  }
+std::vector<float> distances_of(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points) {
+  std::vector<float> distances;
+  distances.reserve(points.size());
+  for (const std::uint32_t i : points) distances.push_back(static_cast<float>(std::abs(plane.distance(cloud.offset(i).cast<double>()))));
   return distances;
 }
 
@@ -53,25 +52,34 @@ double largest_scatter(const Cloud& cloud, const PlaneFit& plane, const std::vec
 
 }  // namespace
 
-std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes) {
-  std::vector<double> scatters;
-  for (std::vector<float>& distances : distances_of(cloud, of_point, planes)) scatters.push_back(scatter_of(distances));
+std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes, int threads) {
+  const std::vector<std::vector<std::uint32_t>> points = points_of_regions(of_point, planes.size());
+  std::vector<double> scatters(planes.size());
+  parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      std::vector<float> distances = distances_of(cloud, planes[r], points[r]);
+      scatters[r] = scatter_of(distances);
+    }
+  });
   return scatters;
 }
 
-std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes, const Limits& limits) {
+std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes, const Limits& limits,
+                            int threads) {
   constexpr double kRounding = 1e-5;  // metres, of single precision
-  std::vector<std::vector<float>> distances = distances_of(cloud, of_point, planes);
   const std::vector<std::vector<std::uint32_t>> points = points_of_regions(of_point, planes.size());
   std::vector<double> reach(planes.size());
-  for (std::size_t r = 0; r < planes.size(); ++r) {
-    if (distances[r].empty()) continue;
-    const double furthest = *std::max_element(distances[r].begin(), distances[r].end()) + kRounding;
-    reach[r] = std::min(furthest, tolerance(planes[r], limits));
-    if (!limits.plane_distance_given && planes[r].spread_area() < kLargePlane) {
-      reach[r] = std::min(reach[r], kDeviations * largest_scatter(cloud, planes[r], points[r], distances[r]));
+  parallel_pieces(planes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      if (points[r].empty()) continue;
+      std::vector<float> distances = distances_of(cloud, planes[r], points[r]);
+      const double furthest = *std::max_element(distances.begin(), distances.end()) + kRounding;
+      reach[r] = std::min(furthest, tolerance(planes[r], limits));
+      if (!limits.plane_distance_given && planes[r].spread_area() < kLargePlane) {
+        reach[r] = std::min(reach[r], kDeviations * largest_scatter(cloud, planes[r], points[r], distances));
+      }
     }
-  }
+  });
   return reach;
 }
 

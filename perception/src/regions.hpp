@@ -39,10 +39,11 @@ struct Regions {
 /// kLargePlane (where the user set no distance), as the part scatters that was seen most squarely; what lies further from those is the side of a board, not its face. Whoever looks at points anew must not give a plane what was
 /// taken from it.
 [[nodiscard]] std::vector<double> reaches(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes,
-                                          const Limits& limits);
+                                          const Limits& limits, int threads = 1);
 
 /// Robust deviation of the points of each region from its plane, metres: 1.48 times the median distance (Rousseeuw & Croux 1993).
-[[nodiscard]] std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes);
+[[nodiscard]] std::vector<double> scatters(const Cloud& cloud, std::span<const std::int32_t> of_point, const std::vector<PlaneFit>& planes,
+                                           int threads = 1);
 
 /// The points of each region, in order. `count` regions.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> points_of_regions(std::span<const std::int32_t> of_point, std::size_t count);

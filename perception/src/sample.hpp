@@ -10,7 +10,7 @@ namespace scenelore::perception {
 struct PointSample {
   Cloud cloud;
   std::vector<std::uint32_t> points;  ///< of the whole cloud
-  VoxelPoints voxels;
+  PointsByVoxel by_voxel;
 };
 
 /// About `most` points of each voxel that has more, all of the others.

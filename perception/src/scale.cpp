@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <unordered_set>
+#include <utility>
+
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -57,29 +60,40 @@ std::size_t typical_occupancy(const VoxelisedCloud& voxels) {
 }
 
 /// A few points look for their nearest neighbours within the surrounding voxels.
-double median_spacing(const Cloud& cloud, const ScaledCloud& voxels) {
+double median_spacing(const Cloud& cloud, const ScaledCloud& voxels, int threads) {
   constexpr std::size_t kSamples = 200, kMostCompared = 4000;
   const std::size_t step = std::max<std::size_t>(1, cloud.size() / kSamples);
   // Room for the points of the voxels that are asked about, and nothing for those of the others.
   std::vector<std::uint32_t> room(voxels.grid.count() + 1, 0);
+  PointLocator locator(voxels.grid);
+  std::vector<std::pair<std::size_t, std::uint32_t>> asked;  // points and their voxels
   for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (voxels.of_point[i] == kNoVoxel) continue;
-    for (const std::int32_t n : voxels.grid.neighbours[voxels.of_point[i]]) {
+    const std::uint32_t v = locator.locate(cloud, i);
+    if (v == kNoVoxel) continue;
+    asked.emplace_back(i, v);
+    for (const std::int32_t n : voxels.grid.neighbours[v]) {
       if (n >= 0) room[static_cast<std::size_t>(n) + 1] = static_cast<std::uint32_t>(voxels.fixed[static_cast<std::size_t>(n)].n);
     }
   }
   for (std::size_t v = 0; v + 1 < room.size(); ++v) room[v + 1] += room[v];
+  constexpr std::size_t kPiece = 1 << 18;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> held(cloud.size() / kPiece + 1);  // voxels and points
+  parallel_pieces(cloud.size(), kPiece, threads, [&](std::size_t begin, std::size_t end) {
+    PointLocator own(voxels.grid);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t v = own.locate(cloud, i);
+      if (v != kNoVoxel && room[v] < room[v + 1]) held[i / kPiece].emplace_back(v, static_cast<std::uint32_t>(i));
+    }
+  });
   std::vector<std::uint32_t> next(room.begin(), room.end() - 1), points(room.back());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::uint32_t v = voxels.of_point[i];
-    if (v != kNoVoxel && next[v] < room[v + 1]) points[next[v]++] = static_cast<std::uint32_t>(i);
+  for (const auto& some : held) {
+    for (const auto& [v, i] : some) points[next[v]++] = i;
   }
   std::vector<double> distances;
-  for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (voxels.of_point[i] == kNoVoxel) continue;
+  for (const auto& [i, v] : asked) {
     float best = std::numeric_limits<float>::infinity();
     std::size_t compared = 0;
-    const auto& around = voxels.grid.neighbours[voxels.of_point[i]];
+    const auto& around = voxels.grid.neighbours[v];
     for (std::size_t k = 0; k < kNeighbours && compared < kMostCompared; ++k) {
       const std::int32_t n = around[(k + kSelf) % kNeighbours];  // its own voxel first
       if (n < 0) continue;
@@ -114,7 +128,7 @@ ScaledCloud voxelise_to_scale(const Cloud& cloud, int threads) {
     result = {voxelise(cloud, size, threads), {}};
   }
   result.scale.voxel = size;
-  result.scale.spacing = median_spacing(cloud, result);
+  result.scale.spacing = median_spacing(cloud, result, threads);
   return result;
 }
 

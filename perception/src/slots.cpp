@@ -58,10 +58,10 @@ void refit(const Slots& slots, std::vector<PlaneFit>& planes) {
 /// no point is too far from them.
 constexpr double kFree = 0.97;
 
-std::vector<std::int32_t> regions_of_points(const Slots& slots, const std::vector<std::uint32_t>& slot_of_point) {
+std::vector<std::int32_t> regions_of_points(const Slots& slots, const SlotOfPoint& slot_of_point) {
   std::vector<std::int32_t> regions;
   regions.reserve(slot_of_point.size());
-  for (const std::uint32_t s : slot_of_point) regions.push_back(s == kNoVoxel ? -1 : slots.region[s]);
+  for (const std::int32_t s : slot_of_point) regions.push_back(s < 0 ? -1 : slots.region[s]);
   return regions;
 }
 

@@ -24,6 +24,8 @@ struct Slots {
   [[nodiscard]] std::size_t count() const { return voxel.size(); }
 };
 
+using SlotOfPoint = std::vector<std::int32_t>;  ///< −1 = invalid, or in no voxel
+
 /// Planes that may own points, by voxel: rows in the order of the voxels.
 struct Candidates {
   std::vector<std::uint32_t> first;     ///< of each voxel, and the number at the end
@@ -36,15 +38,19 @@ struct AssignRule {
   std::vector<double> reach;         ///< by region, metres: the furthest point it takes
   std::vector<double> unit;          ///< by region, metres: distances are compared in these units
   bool larger_first = true;          ///< of two almost parallel planes the larger one keeps what it explains
-  std::vector<bool> only;            ///< voxels that are assigned anew, the rest keep their slots; empty = all
 };
 
-/// Gives every point of a cloud with these voxels to the nearest of its voxel's candidates, one pass over the points. `slot_of_point` and `before`
-/// are needed (and read) only with `rule.only`; `slot_of_point` then refers to the slots that are returned. Without it `slot_of_point` may be
-/// `voxels.of_point` itself: each point is read before it is written.
-[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelGrid& grid, const VoxelPoints& voxels,
-                                  const Candidates& candidates, const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads,
-                                  std::vector<std::uint32_t>& slot_of_point, const Slots* before = nullptr);
+/// Gives every point of a cloud with these voxels to the nearest of its voxel's candidates, one pass over the points.
+[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
+                                  const AssignRule& rule, int threads, SlotOfPoint& slot_of_point);
+
+/// The same of points that are sorted by voxel.
+[[nodiscard]] Slots assign_points(const PointsByVoxel& points, const VoxelGrid& grid, const Candidates& candidates, const std::vector<PlaneFit>& planes,
+                                  const AssignRule& rule, int threads, SlotOfPoint& slot_of_point);
+
+/// The same of the points in some of the voxels: `anew` says of each whether it is one. The rest keep their slots.
+void assign_anew(const PointsByVoxel& points, const VoxelGrid& grid, const std::vector<bool>& anew, const Candidates& candidates,
+                 const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads, SlotOfPoint& slot_of_point, Slots& slots);
 
 /// The planes with points in each voxel or in one of the 26 around it, largest first, `most` at the most; those that pass
 /// the voxel further away than their reach are left out.
@@ -67,7 +73,7 @@ void refit(const Slots& slots, std::vector<PlaneFit>& planes);
 [[nodiscard]] double clearance(const PlaneFit& plane, const Eigen::Vector3d& center, double half);
 
 /// The region of each point, −1 = none.
-[[nodiscard]] std::vector<std::int32_t> regions_of_points(const Slots& slots, const std::vector<std::uint32_t>& slot_of_point);
+[[nodiscard]] std::vector<std::int32_t> regions_of_points(const Slots& slots, const SlotOfPoint& slot_of_point);
 
 /// Tolerances of all planes.
 [[nodiscard]] std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits);

@@ -72,9 +72,10 @@ std::vector<Sample> means_by_square(const std::vector<Sample>& samples) {
     const auto items = squares.items(c);
     const auto n = static_cast<double>(items.size());
     if (n < kFewest) continue;
-    Sample mean{samples[items.front()].point, Eigen::Vector2d::Zero(), 0};
-    for (const std::uint32_t k : items) mean.at += samples[k].at / n, mean.height += samples[k].height / n;
-    means.push_back(mean);
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    double height = 0;
+    for (const std::uint32_t k : items) at += samples[k].at.cast<double>() / n, height += samples[k].height / n;
+    means.push_back({samples[items.front()].point, at.cast<float>(), static_cast<float>(height)});
   }
   return means;
 }

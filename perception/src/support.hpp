@@ -13,8 +13,8 @@ namespace scenelore::perception {
 /// A point in the frame of a support.
 struct Sample {
   std::uint32_t point;
-  Eigen::Vector2d at;  ///< metres along the support
-  double height;       ///< metres over the support's own level
+  Eigen::Vector2f at;  ///< metres along the support
+  float height;        ///< metres over the support's own level
 };
 
 struct Support {
@@ -25,7 +25,7 @@ struct Support {
 
   [[nodiscard]] Sample sample(const Cloud& cloud, std::uint32_t i) const {
     const Eigen::Vector3d d = cloud.offset(i).cast<double>() - centroid;
-    return {i, {u.dot(d), v.dot(d)}, normal.dot(d)};
+    return {i, {static_cast<float>(u.dot(d)), static_cast<float>(v.dot(d))}, static_cast<float>(normal.dot(d))};
   }
 };
 

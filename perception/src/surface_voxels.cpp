@@ -19,8 +19,8 @@ LocalSurface surface_of(const Moments& sum, double size) {
   const FlatFit fit = fit_flat(sum);
   // n − 3 degrees of freedom: few points lie closer to a plane fitted to them than to the true one.
   const double variance = fit.across * sum.n / (sum.n - 3);
-  surface.normal = fit.normal;
-  surface.rmse = std::sqrt(variance);
+  surface.normal = fit.normal.cast<float>();
+  surface.rmse = static_cast<float>(std::sqrt(variance));
   surface.planar = fit.along > kSpread * size * size && variance < kThinness * fit.along;
   return surface;
 }
@@ -56,13 +56,13 @@ constexpr double kRoundedDeviation = 1.7;  // a voxel within one step lies up to
 
 /// Deviations of neighbourhoods four times as wide, by voxel; −1 where those are not flat.
 std::vector<float> wide_deviations(const VoxelGrid& grid, int threads) {
-  const Coarser twice = coarsened(grid, grid.moments, threads);
-  const Coarser four = coarsened(twice.grid, twice.grid.moments, threads);
+  const Coarser twice = coarsened(grid, threads);
+  const Coarser four = coarsened(twice.grid, threads);
   const std::vector<LocalSurface> surfaces = local_surfaces(four.grid, threads);
   std::vector<float> result(grid.count());
   for (std::size_t v = 0; v < grid.count(); ++v) {
     const LocalSurface& surface = surfaces[four.parent[twice.parent[v]]];
-    result[v] = surface.planar ? static_cast<float>(surface.rmse) : -1.0F;
+    result[v] = surface.planar ? surface.rmse : -1.0F;
   }
   return result;
 }
@@ -85,7 +85,7 @@ NoiseMap estimate_noise(const VoxelGrid& grid, const std::vector<LocalSurface>& 
   for (std::size_t v = 0; v < grid.count(); ++v) {
     if (!surfaces[v].planar) continue;
     any_exact = any_exact || surfaces[v].rmse < exact;
-    all.push_back(static_cast<float>(surfaces[v].rmse));
+    all.push_back(surfaces[v].rmse);
   }
   if (all.empty()) return map;
   const std::vector<float> wide = any_exact ? wide_deviations(grid, threads) : std::vector<float>();
@@ -93,7 +93,7 @@ NoiseMap estimate_noise(const VoxelGrid& grid, const std::vector<LocalSurface>& 
   for (std::size_t b = 0; b + 1 < grid.block_start.size(); ++b) {
     Block block;
     for (std::size_t v = grid.block_start[b]; v < grid.block_start[b + 1]; ++v) {
-      if (surfaces[v].planar) block.deviations.push_back(static_cast<float>(surfaces[v].rmse));
+      if (surfaces[v].planar) block.deviations.push_back(surfaces[v].rmse);
       if (surfaces[v].planar && surfaces[v].rmse < exact) ++block.exact;
       if (any_exact && wide[v] >= 0) block.wide.push_back(wide[v]);
     }

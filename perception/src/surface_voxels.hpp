@@ -9,8 +9,8 @@ namespace scenelore::perception {
 
 /// The plane through the points of the 27 voxels around one voxel.
 struct LocalSurface {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double rmse = 0;      ///< metres, of that plane
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  float rmse = 0;       ///< metres, of that plane
   bool planar = false;  ///< enough points, spread in two directions, thin in the third
 };
 

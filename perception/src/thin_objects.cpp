@@ -30,10 +30,12 @@ constexpr double kLeastSlant = 0.985, kMostSlant = 0.5;  // cosines of 10 and 60
 class FreePoints {
  public:
   FreePoints(const Cloud& cloud, const Regions& regions) : cloud_(cloud) {
-    std::vector<CellKey> keys(cloud.size(), kNoCell);
+    std::vector<CellKey> keys;
     constexpr float limit = static_cast<float>(kCellLimit) * static_cast<float>(kFreeCell);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      if (regions.of_point[i] < 0 && cloud.offset(i).cwiseAbs().maxCoeff() < limit) keys[i] = key_of(i);
+      if (regions.of_point[i] >= 0 || !(cloud.offset(i).cwiseAbs().maxCoeff() < limit)) continue;
+      points_.push_back(static_cast<std::uint32_t>(i));
+      keys.push_back(key_of(i));
     }
     cells_ = CellIndex(keys);
   }
@@ -56,8 +58,7 @@ class FreePoints {
     sort_out(around);
     std::vector<std::uint32_t> found;
     for (const std::int32_t c : around) {
-      const auto items = cells_.items(static_cast<std::size_t>(c));
-      found.insert(found.end(), items.begin(), items.end());
+      for (const std::uint32_t k : cells_.items(static_cast<std::size_t>(c))) found.push_back(points_[k]);
     }
     return found;
   }
@@ -74,7 +75,8 @@ class FreePoints {
   }
 
   const Cloud& cloud_;
-  CellIndex cells_;
+  std::vector<std::uint32_t> points_;
+  CellIndex cells_;  // items are among these
 };
 
 /// What a support carries, seen from above: the polygon of its extents in sixteen directions.
@@ -124,7 +126,7 @@ bool is_layer_on(const Support& support, const Footprint& footprint, const Cloud
   double over = all;
   for (std::size_t k = 0; k < points.size(); k += step) {
     const Sample s = support.sample(cloud, points[k]);
-    if (s.height > -kLowest && s.height < kHighest && footprint.holds(s.at)) continue;
+    if (s.height > -kLowest && s.height < kHighest && footprint.holds(s.at.cast<double>())) continue;
     over -= 1;
     if (over <= kLayer * all) return false;  // hardly any plane is a layer, which a few points tell
   }
@@ -174,7 +176,7 @@ void Splitter::split_at(double edge) {
     Moments moments;
     const auto take = [&](std::uint32_t k) {
       const Sample& s = samples_[k];
-      const double own = thing.height_at(s.at);
+      const double own = thing.height_at(s.at.cast<double>());
       if (taken_[k] || std::abs(s.height - own) > reach || s.height < own / 2) return;
       points.push_back(k);
       sum += s.height;
@@ -234,8 +236,9 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
     if (dissolved[r] || plane.count == 0 || plane.spread_area() < kSmallestSupport) continue;
     const std::optional<Support> support = make_support(cloud, plane, points[r], up);
     if (!support) continue;
+    const std::vector<std::uint32_t> around = free.near(points[r]);
     std::vector<Sample> samples;
-    samples.reserve(points[r].size());
+    samples.reserve(points[r].size() + around.size());
     for (const std::uint32_t i : points[r]) samples.push_back(support->sample(cloud, i));
     const std::size_t own = samples.size();
     const auto add_free = [&](const std::vector<std::uint32_t>& some) {
@@ -246,7 +249,7 @@ void split_thin_objects(const Cloud& cloud, const Upright& upright, const Limits
         if (s.height > -2 * support->noise && s.height < kHighest) samples.push_back(s);
       }
     };
-    add_free(free.near(points[r]));
+    add_free(around);
     const Footprint footprint(samples);
     std::vector<std::size_t> layers;
     // What hangs on a wall was parted as flush faces; cut up again, a board comes out in pieces.

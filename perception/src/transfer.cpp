@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "scenelore/perception/memory.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -26,22 +27,23 @@ Candidates rows_of(std::vector<VoxelRegion> pairs, std::size_t voxels) {
 }  // namespace
 
 void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& limits, const std::function<void(Regions&)>& judge,
-              bool old_ones_too, int threads, std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+              bool old_ones_too, int threads, SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
   Regions regions;
   regions.planes = planes;
   regions.of_point = regions_of_points(slots, slot_of_point);
-  const std::vector<std::int32_t> before = regions.of_point;
   judge(regions);
+  const std::size_t points = slot_of_point.size();
 
   AssignRule rule;
   rule.larger_first = false;
-  rule.only.assign(grid.count(), false);
+  std::vector<bool> anew(grid.count(), false);
   std::vector<bool> changed(regions.planes.size(), false);
   std::fill(changed.begin() + static_cast<std::ptrdiff_t>(planes.size()), changed.end(), true);
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k] == regions.of_point[k]) continue;
-    rule.only[sample.voxels.of_point[k]] = true;
-    if (before[k] >= 0) changed[before[k]] = true;
+  for (std::size_t k = 0; k < points; ++k) {
+    const std::int32_t before = slots.region[slot_of_point[k]];
+    if (before == regions.of_point[k]) continue;
+    anew[slots.voxel[slot_of_point[k]]] = true;
+    if (before >= 0) changed[before] = true;
     if (regions.of_point[k] >= 0) changed[regions.of_point[k]] = true;
   }
   // What did not change keeps the plane of all its points.
@@ -49,22 +51,22 @@ void transfer(const PointSample& sample, const VoxelGrid& grid, const Limits& li
     if (!changed[r]) regions.planes[r] = planes[r];
   }
   planes = std::move(regions.planes);
-  rule.reach = reaches(sample.cloud, regions.of_point, planes, limits);
+  rule.reach = reaches(sample.cloud, regions.of_point, planes, limits, threads);
   rule.unit.assign(planes.size(), 1.0);
   std::vector<VoxelRegion> pairs;
   std::vector<std::int32_t> last(grid.count(), -1);
-  for (std::size_t k = 0; k < before.size(); ++k) {
+  for (std::size_t k = 0; k < points; ++k) {
     const std::int32_t r = regions.of_point[k];
     if (r < 0) continue;
-    const std::uint32_t v = sample.voxels.of_point[k];
-    if (!rule.only[v] || last[v] == r) continue;
+    const std::uint32_t v = slots.voxel[slot_of_point[k]];
+    if (!anew[v] || last[v] == r) continue;
     last[v] = r;
     pairs.emplace_back(v, r);
   }
   for (std::size_t s = 0; old_ones_too && s < slots.count(); ++s) {
-    if (rule.only[slots.voxel[s]] && slots.region[s] >= 0 && slots.moments[s].n > 0) pairs.emplace_back(slots.voxel[s], slots.region[s]);
+    if (anew[slots.voxel[s]] && slots.region[s] >= 0 && slots.moments[s].n > 0) pairs.emplace_back(slots.voxel[s], slots.region[s]);
   }
-  slots = assign_points(sample.cloud, grid, sample.voxels, rows_of(std::move(pairs), grid.count()), planes, rule, threads, slot_of_point, &slots);
+  assign_anew(sample.by_voxel, grid, anew, rows_of(std::move(pairs), grid.count()), planes, rule, threads, slot_of_point, slots);
   refit(slots, planes);
 }
 
@@ -78,7 +80,7 @@ std::vector<PlaneFit> planes_of_all(const VoxelisedCloud& voxels, const PointSam
     if (slots.region[s] < 0 || slots.moments[s].n <= 0) continue;
     const std::uint32_t v = slots.voxel[s];
     Moments all = slots.moments[s];
-    all *= static_cast<double>(voxels.fixed[v].n) / static_cast<double>(sample.voxels.fixed[v].n);
+    all *= static_cast<double>(voxels.fixed[v].n) / static_cast<double>(sample.by_voxel.count(v));
     moments[slots.region[s]] += all;
   }
   std::vector<PlaneFit> planes(count);
@@ -88,21 +90,19 @@ std::vector<PlaneFit> planes_of_all(const VoxelisedCloud& voxels, const PointSam
 
 }  // namespace
 
-void spread_from_sample(const Cloud& cloud, VoxelisedCloud& voxels, const PointSample& sample, const Limits& limits, int threads,
-                        std::vector<std::uint32_t>& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
-  if (sample.points.size() == cloud.size()) {
-    std::vector<std::uint32_t>().swap(voxels.of_point);
-    return;
-  }
+void spread_from_sample(const Cloud& cloud, const VoxelisedCloud& voxels, PointSample& sample, const Limits& limits, int threads,
+                        SlotOfPoint& slot_of_point, Slots& slots, std::vector<PlaneFit>& planes) {
+  if (sample.points.size() == cloud.size()) return;
   planes = planes_of_all(voxels, sample, slots, planes.size());
   AssignRule rule;
   rule.larger_first = false;
   const std::vector<std::int32_t> region_of_point = regions_of_points(slots, slot_of_point);
-  rule.reach = reaches(sample.cloud, region_of_point, planes, limits);
-  rule.unit = scatters(sample.cloud, region_of_point, planes);
+  rule.reach = reaches(sample.cloud, region_of_point, planes, limits, threads);
+  rule.unit = scatters(sample.cloud, region_of_point, planes, threads);
   const Candidates candidates = candidates_within(slots, rule.unit);
-  slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, threads, voxels.of_point);
-  slot_of_point = std::exchange(voxels.of_point, {});
+  slots = {}, sample.cloud = {}, sample.by_voxel = {};
+  release(slot_of_point);
+  slots = assign_points(cloud, voxels, candidates, planes, rule, threads, slot_of_point);
   refit(slots, planes);
 }
 

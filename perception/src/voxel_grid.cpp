@@ -58,6 +58,7 @@ std::vector<std::uint32_t> number_voxels(BlockTable table, std::size_t voxels, i
   std::vector<std::uint32_t> number(voxels, kNoVoxel);
   grid.places.reserve(voxels);
   grid.block_start.reserve(order.size() + 1);
+  grid.table.reserve(order.size());
   for (const std::uint32_t b : order) {
     const auto block = grid.table.insert(table.key(b));
     grid.block_start.push_back(static_cast<std::uint32_t>(grid.places.size()));
@@ -71,7 +72,6 @@ std::vector<std::uint32_t> number_voxels(BlockTable table, std::size_t voxels, i
     }
   }
   grid.block_start.push_back(static_cast<std::uint32_t>(grid.places.size()));
-  grid.moments.resize(grid.count());
   grid.neighbours.resize(grid.count());
   parallel_pieces(grid.table.size(), 32, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) find_neighbours(grid, b);
@@ -79,7 +79,11 @@ std::vector<std::uint32_t> number_voxels(BlockTable table, std::size_t voxels, i
   return number;
 }
 
-Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int threads) {
+Coarser coarsened(const VoxelGrid& fine, int threads) {
+  return coarsened(fine, [&](std::size_t v) -> const Moments& { return fine.moments[v]; }, threads);
+}
+
+Coarser coarsened(const VoxelGrid& fine, const std::function<const Moments&(std::size_t)>& moments, int threads) {
   Coarser result;
   result.grid.size = 2 * fine.size;
   result.parent.assign(fine.count(), kNoVoxel);
@@ -88,7 +92,7 @@ Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int t
   std::uint64_t last_key = ~std::uint64_t{0};
   BlockTable::Cells* cells = nullptr;  // of the last block: voxels come block after block
   for (std::size_t v = 0; v < fine.count(); ++v) {
-    if (moments[v].n <= 0) continue;
+    if (moments(v).n <= 0) continue;
     const auto half = [](std::uint32_t c) { return (c + kPlaceOrigin) / 2; };  // coordinate 0 stays where it is
     const VoxelPlace p{half(fine.places[v].x), half(fine.places[v].y), half(fine.places[v].z)};
     const std::uint64_t key = BlockTable::block_key(p);
@@ -98,10 +102,11 @@ Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int t
     result.parent[v] = cell;
   }
   const std::vector<std::uint32_t> number = number_voxels(std::move(table), voxels, threads, result.grid);
+  result.grid.moments.resize(result.grid.count());
   for (std::size_t v = 0; v < fine.count(); ++v) {
     if (result.parent[v] == kNoVoxel) continue;
     result.parent[v] = number[result.parent[v]];
-    result.grid.moments[result.parent[v]] += moments[v];
+    result.grid.moments[result.parent[v]] += moments(v);
   }
   return result;
 }

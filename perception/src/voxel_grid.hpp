@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "block_table.hpp"
@@ -37,11 +37,12 @@ struct VoxelGrid {
 /// moments are left to the caller. The new number of each old one is returned.
 std::vector<std::uint32_t> number_voxels(BlockTable table, std::size_t voxels, int threads, VoxelGrid& grid);
 
-/// A grid of voxels twice as wide, from moments of the finer voxels alone (one each; those without points are left out).
+/// A grid of voxels twice as wide, from moments of the finer voxels alone (those of voxel v are `moments(v)`; voxels without points are left out).
 struct Coarser {
   VoxelGrid grid;
   std::vector<std::uint32_t> parent;  ///< of each finer voxel; kNoVoxel = left out
 };
-[[nodiscard]] Coarser coarsened(const VoxelGrid& fine, std::span<const Moments> moments, int threads);
+[[nodiscard]] Coarser coarsened(const VoxelGrid& fine, const std::function<const Moments&(std::size_t)>& moments, int threads);
+[[nodiscard]] Coarser coarsened(const VoxelGrid& fine, int threads);  ///< from its own
 
 }  // namespace scenelore::perception

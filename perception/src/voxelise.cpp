@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenelore/perception/memory.hpp"
 #include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
@@ -15,31 +16,23 @@ struct Piece {
   std::vector<std::uint32_t> number;  // of its voxels in the whole
 };
 
-void take(const Cloud& cloud, const FixedScale& scale, Piece& piece, std::vector<std::uint32_t>& of_point) {
+void take(const Cloud& cloud, const FixedScale& scale, Piece& piece) {
   std::uint64_t last_key = ~std::uint64_t{0};
   BlockTable::Cells* cells = nullptr;
   for (std::size_t i = piece.begin; i < piece.end; ++i) {
-    const double fx = scale.fixed(cloud.x[i]), fy = scale.fixed(cloud.y[i]), fz = scale.fixed(cloud.z[i]);
-    if (!(FixedScale::inside(fx) && FixedScale::inside(fy) && FixedScale::inside(fz))) {
-      of_point[i] = kNoVoxel;
-      continue;
-    }
-    const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy), z = static_cast<std::int64_t>(fz);
-    const VoxelPlace place{static_cast<std::uint32_t>(x >> kFixedBits), static_cast<std::uint32_t>(y >> kFixedBits),
-                           static_cast<std::uint32_t>(z >> kFixedBits)};
-    const std::uint64_t key = BlockTable::block_key(place);
+    FixedPlace at;
+    if (!scale.locate(cloud.x[i], cloud.y[i], cloud.z[i], at)) continue;
+    const std::uint64_t key = BlockTable::block_key(at.voxel);
     if (key != last_key) {
       last_key = key;
       cells = &piece.table.cells(piece.table.insert(key));
     }
-    std::uint32_t& voxel = (*cells)[BlockTable::cell(place)];
+    std::uint32_t& voxel = (*cells)[BlockTable::cell(at.voxel)];
     if (voxel == kNoVoxel) {
       voxel = static_cast<std::uint32_t>(piece.sums.size());
       piece.sums.emplace_back();
     }
-    of_point[i] = voxel;
-    constexpr std::int64_t mask = kFixedSteps - 1;
-    piece.sums[voxel].add(static_cast<std::int32_t>(x & mask), static_cast<std::int32_t>(y & mask), static_cast<std::int32_t>(z & mask));
+    piece.sums[voxel].add(at.within[0], at.within[1], at.within[2]);
   }
 }
 
@@ -66,7 +59,6 @@ std::size_t unite(std::vector<Piece>& pieces, BlockTable& table) {
 
 VoxelisedCloud voxelise(const Cloud& cloud, double voxel, int threads) {
   VoxelisedCloud result;
-  result.of_point.resize(cloud.size());
   constexpr std::size_t kSmallest = 1 << 14;
   const std::size_t wanted = std::clamp<std::size_t>(cloud.size() / kSmallest, 1, static_cast<std::size_t>(std::max(1, threads)));
   const std::size_t length = (cloud.size() + wanted - 1) / wanted;
@@ -76,7 +68,7 @@ VoxelisedCloud voxelise(const Cloud& cloud, double voxel, int threads) {
     for (std::size_t p = first; p < last; ++p) {
       pieces[p].begin = std::min(cloud.size(), p * length);
       pieces[p].end = std::min(cloud.size(), (p + 1) * length);
-      take(cloud, scale, pieces[p], result.of_point);
+      take(cloud, scale, pieces[p]);
     }
   });
   BlockTable table;
@@ -89,20 +81,19 @@ VoxelisedCloud voxelise(const Cloud& cloud, double voxel, int threads) {
       piece.number[v] = number[piece.number[v]];
       result.fixed[piece.number[v]] += piece.sums[v];
     }
-    piece.sums = {};
+    release(piece.sums);
   }
-  parallel_pieces(wanted, 1, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) {
-      for (std::size_t i = pieces[p].begin; i < pieces[p].end; ++i) {
-        if (result.of_point[i] != kNoVoxel) result.of_point[i] = pieces[p].number[result.of_point[i]];
-      }
-    }
-  });
-  const double step = voxel / kFixedSteps;
-  parallel_pieces(voxels, 4096, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) result.grid.moments[v] = to_moments(result.fixed[v], result.grid.corner(v), step);
-  });
+  result.grid.moments = moments_of_voxels(result.grid, result.fixed, threads);
   return result;
+}
+
+std::vector<Moments> moments_of_voxels(const VoxelGrid& grid, const std::vector<FixedMoments>& fixed, int threads) {
+  std::vector<Moments> moments(grid.count());
+  const double step = grid.size / kFixedSteps;
+  parallel_pieces(grid.count(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) moments[v] = to_moments(fixed[v], grid.corner(v), step);
+  });
+  return moments;
 }
 
 }  // namespace scenelore::perception

@@ -47,7 +47,6 @@ TEST(AssignPoints, GivesSortedPointsTheSameSlots) {
   const VoxelisedCloud voxels = voxelise(cloud, 0.05, 1);
   const PointSample sample = take_sample(cloud, voxels, 1 << 20, 1);
   ASSERT_EQ(sample.points.size(), cloud.size());
-  ASSERT_FALSE(sample.voxels.sorted.first.empty());
   const std::vector<PlaneFit> planes{plane(Eigen::Vector3d::UnitZ(), 0, 3000), plane(Eigen::Vector3d::UnitX(), 0, 2000),
                                      plane(Eigen::Vector3d::UnitX(), 0.03, 1000)};
   Candidates all;
@@ -55,26 +54,62 @@ TEST(AssignPoints, GivesSortedPointsTheSameSlots) {
   for (std::size_t v = 0; v < voxels.grid.count(); ++v) all.regions.insert(all.regions.end(), {0, 1, 2});
   AssignRule rule;
   rule.reach = rule.unit = {0.02, 0.02, 0.015};
-  std::vector<std::uint32_t> by_points, by_voxels;
-  Slots a = assign_points(cloud, voxels.grid, voxels, all, planes, rule, 2, by_points);
-  Slots b = assign_points(sample.cloud, voxels.grid, sample.voxels, all, planes, rule, 2, by_voxels);
+  SlotOfPoint by_points, by_voxels;
+  const Slots a = assign_points(cloud, voxels, all, planes, rule, 2, by_points);
+  const Slots b = assign_points(sample.by_voxel, voxels.grid, all, planes, rule, 2, by_voxels);
   EXPECT_EQ(by_points, by_voxels);
   expect_same(a, b);
+}
 
-  // Some voxels anew, with one candidate or none.
-  rule.larger_first = false;
-  rule.only.assign(voxels.grid.count(), false);
-  Candidates few;
-  for (std::size_t v = 0; v < voxels.grid.count(); ++v) {
-    few.first.push_back(static_cast<std::uint32_t>(few.regions.size()));
-    rule.only[v] = v % 3 != 0;
-    if (v % 3 == 1) few.regions.push_back(static_cast<std::int32_t>(v % 2));
+/// Voxels that are assigned anew have what an assignment of all would give them, the rest what they had: slots before, among and after those that
+/// grow and shrink.
+TEST(AssignPoints, KeepsTheSlotsOfVoxelsThatAreNotAskedFor) {
+  const Cloud cloud = corner_with_board();
+  const VoxelisedCloud voxels = voxelise(cloud, 0.05, 1);
+  const PointSample sample = take_sample(cloud, voxels, 1 << 20, 1);
+  const std::vector<PlaneFit> planes{plane(Eigen::Vector3d::UnitZ(), 0, 3000), plane(Eigen::Vector3d::UnitX(), 0, 2000),
+                                     plane(Eigen::Vector3d::UnitX(), 0.03, 1000)};
+  const std::size_t count = voxels.grid.count();
+  std::vector<bool> anew(count);
+  Candidates before, after;
+  for (std::size_t v = 0; v < count; ++v) {
+    anew[v] = v % 5 == 1 || v % 5 == 2;
+    before.first.push_back(static_cast<std::uint32_t>(before.regions.size()));
+    after.first.push_back(static_cast<std::uint32_t>(after.regions.size()));
+    before.regions.insert(before.regions.end(), {0, 1});
+    if (v % 5 == 1) after.regions.insert(after.regions.end(), {0, 1, 2});
   }
-  few.first.push_back(static_cast<std::uint32_t>(few.regions.size()));
-  a = assign_points(cloud, voxels.grid, voxels, few, planes, rule, 2, by_points, &a);
-  b = assign_points(sample.cloud, voxels.grid, sample.voxels, few, planes, rule, 2, by_voxels, &b);
-  EXPECT_EQ(by_points, by_voxels);
-  expect_same(a, b);
+  before.first.push_back(static_cast<std::uint32_t>(before.regions.size()));
+  after.first.push_back(static_cast<std::uint32_t>(after.regions.size()));
+  AssignRule rule;
+  rule.larger_first = false;
+  rule.reach = rule.unit = {0.02, 0.02, 0.015};
+  SlotOfPoint slot_of_point, then;
+  const Slots old = assign_points(sample.by_voxel, voxels.grid, before, planes, rule, 1, slot_of_point);
+  const SlotOfPoint first = slot_of_point;
+  const Slots all = assign_points(sample.by_voxel, voxels.grid, after, planes, rule, 1, then);
+  for (const int threads : {1, 2}) {
+    Slots slots = old;
+    slot_of_point = first;
+    assign_anew(sample.by_voxel, voxels.grid, anew, after, planes, rule, threads, slot_of_point, slots);
+    for (std::size_t v = 0; v < count; ++v) {
+      const Slots& source = anew[v] ? all : old;
+      ASSERT_EQ(slots.first[v + 1] - slots.first[v], source.first[v + 1] - source.first[v]);
+      for (std::uint32_t k = 0; k < source.first[v + 1] - source.first[v]; ++k) {
+        const std::uint32_t s = slots.first[v] + k, from = source.first[v] + k;
+        EXPECT_EQ(slots.voxel[s], v);
+        EXPECT_EQ(slots.region[s], source.region[from]);
+        EXPECT_EQ(slots.moments[s].n, source.moments[from].n);
+        EXPECT_EQ(slots.moments[s].sum, source.moments[from].sum);
+        ASSERT_EQ(slots.ruler[s] < 0, source.ruler[from] < 0);
+        if (slots.ruler[s] < 0) continue;
+        EXPECT_EQ(slots.rulers[slots.ruler[s]].offset, source.rulers[source.ruler[from]].offset);
+      }
+    }
+    std::vector<double> held(slots.count(), 0);
+    for (const std::int32_t s : slot_of_point) held[s] += 1;
+    for (std::size_t s = 0; s < slots.count(); ++s) EXPECT_EQ(held[s], slots.moments[s].n);
+  }
 }
 
 /// A shelf that is seen at a slant meets a wall: 30 points a voxel within millimetres of the one, 300 within a centimetre of the other.
@@ -93,8 +128,8 @@ TEST(AssignPoints, GivesWhatLiesWherePlanesCrossToTheOneThatHoldsMore) {
   const auto of_wall_on_shelf = [&](const Candidates& candidates, AssignRule rule, Slots& slots) {
     rule.larger_first = false;
     rule.reach = {3 * kShelfNoise, 3 * kWallNoise};
-    std::vector<std::uint32_t> slot_of_point;
-    slots = assign_points(cloud, voxels.grid, voxels, candidates, planes, rule, 1, slot_of_point);
+    SlotOfPoint slot_of_point;
+    slots = assign_points(cloud, voxels, candidates, planes, rule, 1, slot_of_point);
     const std::vector<std::int32_t> regions = regions_of_points(slots, slot_of_point);
     EXPECT_GT(std::count(regions.begin(), regions.begin() + kOfShelf, 0), 0.85 * kOfShelf);
     return std::count(regions.begin() + kOfShelf, regions.end(), 0);

@@ -39,8 +39,8 @@ std::vector<FaceTraits> floor_and_plane_above(double height, const RegionRange& 
   AssignRule rule;
   rule.reach = rule.unit = {0.03, 0.03};
   rule.larger_first = false;
-  std::vector<std::uint32_t> slot_of_point;
-  const Slots slots = assign_points(scene.cloud, voxels.grid, voxels, all, both, rule, 1, slot_of_point);
+  SlotOfPoint slot_of_point;
+  const Slots slots = assign_points(scene.cloud, voxels, all, both, rule, 1, slot_of_point);
   std::vector<PlaneFit> planes(2);
   refit(slots, planes);
   return face_traits(voxels.grid, local_surfaces(voxels.grid, 1), {0.005, 0.005}, slots, planes, view, things);

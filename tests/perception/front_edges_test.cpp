@@ -37,7 +37,7 @@ struct Shelf {
     one.regions.assign(voxels.grid.count(), 0);
     AssignRule rule;
     rule.reach = {0.025}, rule.unit = {1.0};
-    slots = assign_points(cloud, voxels.grid, voxels, one, {plane}, rule, 1, slot_of_point);
+    slots = assign_points(cloud, voxels, one, {plane}, rule, 1, slot_of_point);
     planes = {plane};
     refit(slots, planes);
     before = kept(0, cloud.size());
@@ -52,7 +52,7 @@ struct Shelf {
 
   Cloud cloud;
   Slots slots;
-  std::vector<std::uint32_t> slot_of_point;
+  SlotOfPoint slot_of_point;
   std::vector<PlaneFit> planes;
   long before = 0;
 };

@@ -25,7 +25,8 @@ struct PartedWall {
     scene.add_rectangle({1.3, 0, 0}, {0.2, 0, 0}, {0, 1, 0}, 3000, kNoise, kFurther, random);
     const VoxelisedCloud voxels = voxelise(scene.cloud, 0.05, 1);
     std::vector<std::int32_t> region_of_voxel(voxels.grid.count());
-    for (std::size_t i = 0; i < scene.truth.size(); ++i) region_of_voxel[voxels.of_point[i]] = scene.truth[i];
+    PointLocator locator(voxels.grid);
+    for (std::size_t i = 0; i < scene.truth.size(); ++i) region_of_voxel[locator.locate(scene.cloud, i)] = scene.truth[i];
     slots = slots_of_voxels(voxels.grid, region_of_voxel);
     planes.resize(3);
     refit(slots, planes);

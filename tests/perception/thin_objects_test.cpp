@@ -72,7 +72,7 @@ std::vector<Sample> desk(Height height, double noise, unsigned seed) {
   std::vector<Sample> samples;
   for (double x = 0; x < 1.2; x += 0.007) {
     for (double y = 0; y < 0.7; y += 0.007) {
-      samples.push_back({static_cast<std::uint32_t>(samples.size()), {x, y}, height(x, y) + scatter(random)});
+      samples.push_back({static_cast<std::uint32_t>(samples.size()), {static_cast<float>(x), static_cast<float>(y)}, static_cast<float>(height(x, y) + scatter(random))});
     }
   }
   return samples;

@@ -1,6 +1,8 @@
 // How a program holds its memory.
 #pragma once
 
+#include <vector>
+
 namespace scenelore::perception {
 
 /// What a program does.
@@ -15,5 +17,11 @@ enum class Work {
 /// long as all the geometry. For the whole process, so a program calls it before it reads, and again where its work turns out to be
 /// greater; libraries do not. Advice alone: without it, and where the C library has no such switch, all works the same.
 void keep_memory(Work work);
+
+/// Gives back what vectors hold, which `v = {}` does not: that empties them.
+template <typename... T>
+void release(std::vector<T>&... vectors) {
+  (std::vector<T>().swap(vectors), ...);
+}
 
 }  // namespace scenelore::perception
