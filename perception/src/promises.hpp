@@ -7,7 +7,7 @@
 namespace scenelore::perception {
 
 /// Of the points of its voxels that a plane must hold, not to be what is left over between the points of another.
-inline constexpr double kOwnShare = 0.4;
+inline constexpr double kOwnShare = 0.25;
 
 /// What the promises leave of the regions: planes numbered by falling point count, ties by position.
 struct Settled {
