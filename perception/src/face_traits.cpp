@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "curvature.hpp"
+#include "scenelore/perception/parallel.hpp"
 #include "seen_from.hpp"
 
 namespace scenelore::perception {
@@ -33,6 +34,9 @@ struct Tally {
   double voxels = 0, agreeing = 0, judged = 0, uneven = 0, left = 0, foreign = 0;
   double border = 0, contact = 0, square = 0;
   double nearer = 0;  // by how much the nearest layer of each voxel is nearer than kFar
+  BentSurface bent;
+
+  explicit Tally(const PlaneFit& plane) : bent(plane) {}
 };
 
 /// Radians of a horizontal direction about up, in some frame.
@@ -57,7 +61,7 @@ double heading_of_walls(const std::vector<PlaneFit>& planes, const Eigen::Vector
 /// The region with most of a voxel's points, and the slot of these.
 struct Owner {
   std::int32_t region = -1;
-  std::uint32_t slot = 0;
+  std::uint32_t slot = ~std::uint32_t{0};  // none
 };
 
 class Measure {
@@ -65,21 +69,19 @@ class Measure {
   Measure(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise, const Slots& slots,
           const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things)
       : grid_(grid), surfaces_(surfaces), noise_(noise), slots_(slots), planes_(planes), view_(view), things_(things),
-        walls_(heading_of_walls(planes, view.up)), tally_(planes.size()), owner_(grid.count()) {
-    bent_.reserve(planes.size());
-    for (const PlaneFit& plane : planes) bent_.emplace_back(plane);
-  }
+        walls_(heading_of_walls(planes, view.up)), owner_(grid.count()) {}
 
-  std::vector<FaceTraits> run() {
-    for (std::size_t v = 0; v < grid_.count(); ++v) choose_owner(v);
-    for (std::size_t v = 0; v < grid_.count(); ++v) within(v);
-    for (std::size_t v = 0; v < grid_.count(); ++v) {
-      if (owner_[v].region >= 0) around(v);
-    }
+  std::vector<FaceTraits> run(std::size_t first, int threads) {
+    parallel_pieces(grid_.count(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) choose_owner(v);
+    });
+    const std::vector<std::vector<std::uint32_t>> members = slots_of_regions(slots_, planes_.size(), first);
     std::vector<FaceTraits> result(planes_.size());
-    for (std::size_t r = 0; r < planes_.size(); ++r) {
-      if (planes_[r].count > 0) result[r] = traits(r);
-    }
+    parallel_pieces(planes_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = std::max(begin, first); r < end; ++r) {
+        if (planes_[r].count > 0) result[r] = traits(r, members[r]);
+      }
+    });
     return result;
   }
 
@@ -92,13 +94,13 @@ class Measure {
     const double unit = things_.hold(static_cast<std::size_t>(region)) ? kThingUnit : std::max(noise_[other], larger.rmse());
     return std::min(kFar, std::abs(larger.distance(middle)) / unit);
   }
-  void within(std::size_t v);
+  void within(std::uint32_t slot, Tally& t) const;
   [[nodiscard]] double nearest_layer(std::size_t v, std::int32_t region, const Eigen::Vector3d& middle) const;
-  void around(std::size_t v);
+  void around(std::size_t v, Tally& t) const;
   void choose_owner(std::size_t v);
   [[nodiscard]] double distance(const PlaneFit& plane, const Owner& owner) const { return slots_.moments[owner.slot].mean_distance(plane); }
   [[nodiscard]] double degrees_turned(const PlaneFit& plane) const;
-  [[nodiscard]] FaceTraits traits(std::size_t r) const;
+  [[nodiscard]] FaceTraits traits(std::size_t r, const std::vector<std::uint32_t>& members) const;
 
   const VoxelGrid& grid_;
   const std::vector<LocalSurface>& surfaces_;
@@ -108,8 +110,6 @@ class Measure {
   const View& view_;
   RegionRange things_;
   double walls_;  // heading, radians
-  std::vector<Tally> tally_;
-  std::vector<BentSurface> bent_;  // by region
   std::vector<Owner> owner_;
 };
 
@@ -121,30 +121,27 @@ void Measure::choose_owner(std::size_t v) {
   }
 }
 
-void Measure::within(std::size_t v) {
+void Measure::within(std::uint32_t slot, Tally& t) const {
+  const std::uint32_t v = slots_.voxel[slot];
   double all = 0, left = 0;
   for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
     all += slots_.moments[s].n;
     if (slots_.region[s] < 0) left += slots_.moments[s].n;
   }
-  for (std::uint32_t s = slots_.first[v]; s < slots_.first[v + 1]; ++s) {
-    const std::int32_t r = slots_.region[s];
-    const Moments& m = slots_.moments[s];
-    if (r < 0 || m.n <= 0) continue;
-    Tally& t = tally_[r];
-    const PlaneFit& plane = planes_[r];
-    t.voxels += 1, t.left += left, t.foreign += all - left - m.n;
-    const LocalSurface& near = surfaces_[v];
-    if (!near.normal.isZero()) {
-      t.judged += m.n;
-      if (std::abs(near.normal.cast<double>().dot(plane.normal)) > kAgreeing) t.agreeing += m.n;
-    }
-    const double d = m.mean_distance(plane);
-    t.uneven += m.n * d * d;
-    const Eigen::Vector3d at = m.mean() - plane.centroid;
-    bent_[r].add({plane.axes.col(1).dot(at), plane.axes.col(2).dot(at), d, m.n});
-    t.nearer += kFar - nearest_layer(v, r, m.mean());
+  const std::int32_t r = slots_.region[slot];
+  const Moments& m = slots_.moments[slot];
+  const PlaneFit& plane = planes_[r];
+  t.voxels += 1, t.left += left, t.foreign += all - left - m.n;
+  const LocalSurface& near = surfaces_[v];
+  if (!near.normal.isZero()) {
+    t.judged += m.n;
+    if (std::abs(near.normal.cast<double>().dot(plane.normal)) > kAgreeing) t.agreeing += m.n;
   }
+  const double d = m.mean_distance(plane);
+  t.uneven += m.n * d * d;
+  const Eigen::Vector3d at = m.mean() - plane.centroid;
+  t.bent.add({plane.axes.col(1).dot(at), plane.axes.col(2).dot(at), d, m.n});
+  t.nearer += kFar - nearest_layer(v, r, m.mean());
 }
 
 /// In the same voxel, or with most of the points of one before or behind it.
@@ -163,10 +160,9 @@ double Measure::nearest_layer(std::size_t v, std::int32_t region, const Eigen::V
   return nearest;
 }
 
-void Measure::around(std::size_t v) {
+void Measure::around(std::size_t v, Tally& t) const {
   const std::int32_t r = owner_[v].region;
   const PlaneFit& plane = planes_[r];
-  Tally& t = tally_[r];
   int own = 0;
   bool goes_on = false, square = false;
   for (const std::int32_t n : grid_.neighbours[v]) {
@@ -192,9 +188,13 @@ double Measure::degrees_turned(const PlaneFit& plane) const {
   return std::abs(std::remainder(angle, std::numbers::pi / 2)) * 180 / std::numbers::pi;
 }
 
-FaceTraits Measure::traits(std::size_t r) const {
+FaceTraits Measure::traits(std::size_t r, const std::vector<std::uint32_t>& members) const {
   const PlaneFit& plane = planes_[r];
-  const Tally& t = tally_[r];
+  Tally t(plane);
+  for (const std::uint32_t s : members) {
+    within(s, t);
+    if (owner_[slots_.voxel[s]].slot == s) around(slots_.voxel[s], t);
+  }
   const double variance = std::max(plane.variances[0], 0.0), across = std::max(plane.variances[1], 1e-9), along = std::max(plane.variances[2], 1e-9);
   const double noise = std::max(noise_[r], 1e-5), area = std::max(plane.spread_area(), 1e-6);
   FaceTraits out{};
@@ -218,7 +218,7 @@ FaceTraits Measure::traits(std::size_t r) const {
   set(Trait::slant, slant);
   const double across_view = std::max(noise_across(view_.noise, slant), kLeastDeviation);
   set(Trait::excess, std::isnan(slant) ? slant : std::log10(std::max(std::sqrt(variance), kLeastDeviation) / across_view));
-  const std::optional<BentSurface::Bend> bend = bent_[r].bend();
+  const std::optional<BentSurface::Bend> bend = t.bent.bend();
   set(Trait::bend, bend ? std::log10(1 + std::max(0.0, bend->gain) / (3 * noise * noise)) : 0);
   const double scatter = r < view_.scatter.size() ? view_.scatter[r] : std::sqrt(variance);
   set(Trait::tails, std::log10(std::max(std::sqrt(variance), kLeastDeviation) / std::max(scatter, kLeastDeviation)));
@@ -230,8 +230,9 @@ FaceTraits Measure::traits(std::size_t r) const {
 }  // namespace
 
 std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces, const std::vector<double>& noise_of_region,
-                                    const Slots& slots, const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things) {
-  return Measure(grid, surfaces, noise_of_region, slots, planes, view, things).run();
+                                    const Slots& slots, const std::vector<PlaneFit>& planes, const View& view, const RegionRange& things,
+                                    std::size_t first, int threads) {
+  return Measure(grid, surfaces, noise_of_region, slots, planes, view, things).run(first, threads);
 }
 
 }  // namespace scenelore::perception

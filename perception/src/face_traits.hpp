@@ -50,9 +50,9 @@ struct View {
   std::vector<double> scatter;  ///< by region, metres, robust deviation; shorter = as the deviation of the rest
 };
 
-/// One row a region; zeros for those without points. `things` are those that thin_objects.hpp made. `noise_of_region`: metres, see merge.hpp.
+/// One row a region; zeros for those without points and those before `first`. `things` are those that thin_objects.hpp made. `noise_of_region`: metres, see merge.hpp.
 [[nodiscard]] std::vector<FaceTraits> face_traits(const VoxelGrid& grid, const std::vector<LocalSurface>& surfaces,
                                                   const std::vector<double>& noise_of_region, const Slots& slots, const std::vector<PlaneFit>& planes,
-                                                  const View& view, const RegionRange& things = {});
+                                                  const View& view, const RegionRange& things = {}, std::size_t first = 0, int threads = 1);
 
 }  // namespace scenelore::perception

@@ -254,7 +254,7 @@ Origin Finder::origin(std::size_t region) const {
 /// goes to that one.
 void Finder::judge(const Eigen::Vector3d& up, std::size_t first) {
   const std::vector<FaceTraits> traits =
-      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up, first), things_);
+      face_traits(voxels_.grid, surfaces_, noise_by_region(), slots_, planes_, view(up, first), things_, first, threads_);
   if (questions_ != nullptr) {
     questions_->points = sample_.points;
     FaceRound& round = questions_->rounds.emplace_back(FaceRound{first, traits, {}, regions_of_sample()});
@@ -311,7 +311,7 @@ FoundRegions Finder::run() {
   const Eigen::Vector3d up = found_.upright.rotation.inverse() * Eigen::Vector3d::UnitZ();
   const bool in_detail = found_.voxel < kCoarsestForThings;
   begin("gaps");
-  if (in_detail) look_closer(false, [&](Regions& regions) { part_at_gaps(sample_.cloud, found_.limits, regions); });
+  if (in_detail) look_closer(false, [&](Regions& regions) { part_at_gaps(sample_.cloud, found_.limits, regions, threads_); });
   begin("flush faces");
   const std::size_t flush = planes_.size();
   if (in_detail) look_closer(false, [&](Regions& regions) { part_flush_faces(sample_.cloud, weights_of_sample(), up, regions); });
@@ -321,7 +321,7 @@ FoundRegions Finder::run() {
   things_ = {supports, planes_.size()};
   join_level_pieces(pyramid_, up, flush, supports, noise_by_region(), slots_, planes_);
   begin("sharp faces");
-  if (in_detail && !found_.limits.plane_distance_given) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions); });
+  if (in_detail && !found_.limits.plane_distance_given) look_closer(false, [&](Regions& regions) { keep_sharp_faces(sample_.cloud, found_.noise, regions, threads_); });
   begin("outlines");
   if (in_detail) look_closer(false, [&](Regions& regions) { parted_ = part_outlines(sample_.cloud, up, regions); });
   drop_steps();

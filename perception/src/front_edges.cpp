@@ -29,21 +29,11 @@ std::vector<std::uint32_t> beside_face(const Cloud& cloud, const PlaneFit& plane
 
 /// The points of each region that is small enough to be looked at; most points of a room are of large ones.
 std::vector<std::vector<std::uint32_t>> points_of_small(const SlotOfPoint& slot_of_point, const Slots& slots, const std::vector<PlaneFit>& planes) {
-  std::vector<std::vector<std::uint32_t>> out(planes.size());
-  std::vector<bool> small(planes.size());
-  for (std::size_t r = 0; r < planes.size(); ++r) {
-    small[r] = planes[r].spread_area() <= kLargePlane;
-    if (small[r]) out[r].reserve(static_cast<std::size_t>(planes[r].count));
+  std::vector<std::int32_t> small = slots.region;
+  for (std::int32_t& r : small) {
+    if (r >= 0 && planes[r].spread_area() > kLargePlane) r = -1;
   }
-  std::vector<std::int32_t> small_of_slot = slots.region;
-  for (std::int32_t& r : small_of_slot) {
-    if (r >= 0 && !small[r]) r = -1;
-  }
-  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
-    const std::int32_t r = slot_of_point[i] < 0 ? -1 : small_of_slot[slot_of_point[i]];
-    if (r >= 0) out[r].push_back(static_cast<std::uint32_t>(i));
-  }
-  return out;
+  return points_of_sets(slots, slot_of_point, small, planes.size());
 }
 
 /// Points that the voxels of each region hold, and those of them that are the region's.

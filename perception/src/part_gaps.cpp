@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "gap.hpp"
+#include "scenelore/perception/parallel.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -80,40 +83,46 @@ std::vector<std::int32_t> parts_of(const Gap& gap, const Pieces& pieces, double 
   return part;
 }
 
-/// Gives each part but the first a region of its own.
-void renumber(const PlaneView& view, const Pieces& pieces, const std::vector<std::int32_t>& part, const std::vector<std::uint32_t>& points,
-              Regions& regions) {
-  std::vector<std::int32_t> region(part.size(), -1);
-  bool first = true;
-  for (std::size_t p = 0; p < part.size(); ++p) {
-    std::int32_t& number = region[static_cast<std::size_t>(part[p])];
-    if (number >= 0) continue;
-    number = first ? regions.of_point[points.front()] : static_cast<std::int32_t>(regions.planes.size());
-    if (!first) regions.planes.emplace_back();
-    first = false;
+/// The part of each point of a region; empty = it is one.
+std::vector<std::int32_t> parts_of_points(const Cloud& cloud, const PlaneFit& plane, const std::vector<std::uint32_t>& points, double fewest) {
+  const auto count = static_cast<double>(points.size());
+  const double area = plane.spread_area();
+  if (count < 2 * fewest || area > kLargest) return {};
+  PlaneView view = view_of(cloud, plane, points, gap_cell(area, count));
+  const Pieces pieces = pieces_of(view);
+  if (std::count_if(pieces.points.begin(), pieces.points.end(), [&](double n) { return n >= fewest; }) < 2) return {};
+  look_past(cloud, plane, std::max(kDeviations * plane.rmse(), kLeastBehind), view);
+  if (view.empty.empty()) return {};
+  const std::vector<std::int32_t> part = parts_of(Gap(view, pieces.cells), pieces, fewest);
+  std::vector<std::int32_t> out;
+  out.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) out.push_back(part[static_cast<std::size_t>(pieces.of_cell[view.cell_of[k]])]);
+  return out;
+}
+
+/// Gives each part but the first, in the order of the parts' numbers, a region of its own.
+void renumber(const std::vector<std::int32_t>& part, const std::vector<std::uint32_t>& points, std::size_t region, Regions& regions) {
+  std::map<std::int32_t, std::int32_t> number;
+  for (const std::int32_t p : part) number[p] = static_cast<std::int32_t>(region);
+  for (auto it = std::next(number.begin()); it != number.end(); ++it) {
+    it->second = static_cast<std::int32_t>(regions.planes.size());
+    regions.planes.emplace_back();
   }
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    regions.of_point[points[k]] = region[static_cast<std::size_t>(part[static_cast<std::size_t>(pieces.of_cell[view.cell_of[k]])])];
-  }
+  for (std::size_t k = 0; k < points.size(); ++k) regions.of_point[points[k]] = number[part[k]];
 }
 
 }  // namespace
 
-void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions) {
+void part_at_gaps(const Cloud& cloud, const Limits& limits, Regions& regions, int threads) {
   if (!cloud.sensors.known()) return;
   const std::size_t before = regions.planes.size();
   const auto points = points_of_regions(regions.of_point, before);
-  for (std::size_t r = 0; r < points.size(); ++r) {
-    const PlaneFit plane = regions.planes[r];
-    const auto count = static_cast<double>(points[r].size());
-    const double area = plane.spread_area();
-    if (count < 2 * limits.min_points || area > kLargest) continue;
-    PlaneView view = view_of(cloud, plane, points[r], gap_cell(area, count));
-    const Pieces pieces = pieces_of(view);
-    if (std::count_if(pieces.points.begin(), pieces.points.end(), [&](double n) { return n >= limits.min_points; }) < 2) continue;
-    look_past(cloud, plane, std::max(kDeviations * plane.rmse(), kLeastBehind), view);
-    if (view.empty.empty()) continue;
-    renumber(view, pieces, parts_of(Gap(view, pieces.cells), pieces, limits.min_points), points[r], regions);
+  std::vector<std::vector<std::int32_t>> parts(before);
+  parallel_pieces(before, 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) parts[r] = parts_of_points(cloud, regions.planes[r], points[r], limits.min_points);
+  });
+  for (std::size_t r = 0; r < before; ++r) {
+    if (!parts[r].empty()) renumber(parts[r], points[r], r, regions);
   }
   if (regions.planes.size() > before) refit(cloud, regions);
 }

@@ -170,30 +170,16 @@ Settling settle_slots(const VoxelisedCloud& voxels, const Slots& slots, const Li
   return result;
 }
 
-std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std::size_t regions) {
-  std::vector<std::vector<std::uint32_t>> members(regions);
-  for (std::size_t s = 0; s < slots.count(); ++s) {
-    if (slots.region[s] >= 0 && slots.moments[s].n > 0) members[static_cast<std::size_t>(slots.region[s])].push_back(static_cast<std::uint32_t>(s));
-  }
-  return members;
-}
-
 /// Settles by points what slots could not: one pass collects the points of all of them.
 std::vector<Part> settle_rest(const Cloud& cloud, const Limits& limits, const std::vector<Unsettled>& sets, const Slots& slots,
                               const SlotOfPoint& slot_of_point, int threads) {
   std::vector<Part> result;
   if (sets.empty()) return result;
   std::vector<std::int32_t> set_of_slot(slots.count(), -1);
-  std::vector<std::vector<std::uint32_t>> points(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     for (const std::uint32_t s : sets[k].slots) set_of_slot[s] = static_cast<std::int32_t>(k);
-    points[k].reserve(static_cast<std::size_t>(moments_of(slots, sets[k].slots).n));
   }
-  for (std::size_t i = 0; i < slot_of_point.size(); ++i) {
-    if (slot_of_point[i] < 0) continue;
-    const std::int32_t k = set_of_slot[slot_of_point[i]];
-    if (k >= 0) points[static_cast<std::size_t>(k)].push_back(static_cast<std::uint32_t>(i));
-  }
+  std::vector<std::vector<std::uint32_t>> points = points_of_sets(slots, slot_of_point, set_of_slot, sets.size());
   std::vector<std::vector<Part>> settled(sets.size());
   parallel_pieces(sets.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) settled[k] = settle_points(cloud, limits, sets[k].bridged, std::move(points[k]));

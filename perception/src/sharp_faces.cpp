@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "face_and_sides.hpp"
+#include "scenelore/perception/parallel.hpp"
 #include "seen_from.hpp"
 
 namespace scenelore::perception {
@@ -65,22 +67,25 @@ std::vector<std::uint32_t> sharp_face(const Cloud& cloud, const PlaneFit& plane,
 
 }  // namespace
 
-void keep_sharp_faces(const Cloud& cloud, double noise, Regions& regions) {
+void keep_sharp_faces(const Cloud& cloud, double noise, Regions& regions, int threads) {
   if (!cloud.sensors.known()) return;
   const auto points = points_of_regions(regions.of_point, regions.planes.size());
-  bool changed = false;
-  for (std::size_t r = 0; r < points.size(); ++r) {
-    if (points[r].size() < kFewest) continue;
+  std::atomic<bool> changed = false;
+  const auto keep = [&](std::size_t r) {
+    if (points[r].size() < kFewest) return;
     const PlaneFit plane = fit_plane(moments_of(cloud, points[r]));
-    if (plane.spread_area() > kLargePlane) continue;
+    if (plane.spread_area() > kLargePlane) return;
     const double cosine = slant_of(cloud, plane.normal, points[r]).value_or(1), across = std::max(kFinestAcross, noise_across(noise, cosine));
-    if (cosine > kSlant || plane.rmse() < kTooThick * across) continue;
+    if (cosine > kSlant || plane.rmse() < kTooThick * across) return;
     const std::vector<std::uint32_t> face = sharp_face(cloud, plane, noise, across, points[r]);
-    if (face.size() == points[r].size()) continue;
+    if (face.size() == points[r].size()) return;
     for (const std::uint32_t i : points[r]) regions.of_point[i] = -1;
     for (const std::uint32_t i : face) regions.of_point[i] = static_cast<std::int32_t>(r);
     changed = true;
-  }
+  };
+  parallel_pieces(points.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) keep(r);
+  });
   if (changed) refit(cloud, regions);
 }
 

@@ -64,6 +64,9 @@ void assign_anew(const PointsByVoxel& points, const VoxelGrid& grid, const std::
 /// One slot for all points of each voxel, with the regions that voxels have; for the first assignment.
 [[nodiscard]] Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel);
 
+/// The slots with points of each region, in order. `first`: of those from here on, the others stay empty.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> slots_of_regions(const Slots& slots, std::size_t count, std::size_t first = 0);
+
 [[nodiscard]] std::vector<Moments> moments_of_regions(const Slots& slots, std::size_t count);
 
 /// Fits the planes anew to what their slots hold; planes without points keep count 0.
@@ -74,6 +77,10 @@ void refit(const Slots& slots, std::vector<PlaneFit>& planes);
 
 /// The region of each point, −1 = none.
 [[nodiscard]] std::vector<std::int32_t> regions_of_points(const Slots& slots, const SlotOfPoint& slot_of_point);
+
+/// The points whose slots are of each set, in order. `set_of_slot`: −1 = of none.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> points_of_sets(const Slots& slots, const SlotOfPoint& slot_of_point,
+                                                                     const std::vector<std::int32_t>& set_of_slot, std::size_t sets);
 
 /// Tolerances of all planes.
 [[nodiscard]] std::vector<double> tolerances(const std::vector<PlaneFit>& planes, const Limits& limits);
