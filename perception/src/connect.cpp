@@ -21,7 +21,7 @@ double cell_size(double step, double spread) {
 class Connector {
  public:
   Connector(const Cloud& cloud, std::span<const std::uint32_t> points, const PlaneFit& plane, double step, std::size_t max_neighbours)
-      : cloud_(cloud), points_(points), step_(step), most_(std::max<std::size_t>(1, max_neighbours)), axes_(plane.axes) {
+      : cloud_(cloud), points_(points), step_(step), most_(std::max<std::size_t>(1, max_neighbours)) {
     double spread = 0;
     for (const std::uint32_t i : points) spread = std::max(spread, std::abs(plane.distance(cloud.offset(i).cast<double>())));
     const double size = cell_size(step_, spread);
@@ -36,6 +36,10 @@ class Connector {
     depth_ = flat ? 0 : 2;
     cells_ = CellIndex(keys);
     sets_ = DisjointSets(cells_.size());
+    for (std::size_t direction = 0; direction < outwards_.size(); ++direction) {
+      const double angle = static_cast<double>(direction) * std::numbers::pi / 4;
+      outwards_[direction] = (std::cos(angle) * plane.axes.col(1) + std::sin(angle) * plane.axes.col(2)).cast<float>();
+    }
     choose_speakers();
   }
 
@@ -82,38 +86,48 @@ class Connector {
     }
   }
 
-  /// The points of each cell that lie furthest out in eight directions, and some in between: where two cells come near
-  /// each other, some of these do.
+  /// Some of the points of each cell, or all where there are few.
   void choose_speakers() {
     speakers_.resize(cells_.size());
-    std::array<Eigen::Vector3f, 8> outwards;
-    for (std::size_t direction = 0; direction < outwards.size(); ++direction) {
-      const double angle = static_cast<double>(direction) * std::numbers::pi / 4;
-      outwards[direction] = (std::cos(angle) * axes_.col(1) + std::sin(angle) * axes_.col(2)).cast<float>();
-    }
+    const std::size_t between = most_ > 16 ? most_ - 8 : most_ / 2;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       const auto items = cells_.items(c);
       std::vector<std::uint32_t>& chosen = speakers_[c];
       if (items.size() <= most_) {
         chosen.assign(items.begin(), items.end());
-        continue;
-      }
-      const std::size_t between = most_ > 16 ? most_ - 8 : most_ / 2;
-      for (std::size_t k = 0; k < between; ++k) chosen.push_back(items[k * items.size() / between]);
-      for (std::size_t direction = 0; direction < outwards.size() && chosen.size() < most_; ++direction) {
-        const auto out = [&](std::uint32_t k) { return outwards[direction].dot(cloud_.offset(points_[k])); };
-        std::uint32_t furthest = items.front();
-        float most = out(furthest);
-        for (const std::uint32_t k : items.subspan(1)) {
-          const float here = out(k);
-          if (most < here) most = here, furthest = k;
-        }
-        chosen.push_back(furthest);
+      } else {
+        for (std::size_t k = 0; k < between; ++k) chosen.push_back(items[k * items.size() / between]);
       }
     }
   }
 
-  bool within_step(std::size_t a, std::size_t b) const {
+  /// Adds the points of a cell that lie furthest out in eight directions: where two cells come near each other, some of these do. False where
+  /// there are no more.
+  bool add_outermost(std::size_t c) {
+    const auto items = cells_.items(c);
+    std::vector<std::uint32_t>& chosen = speakers_[c];
+    if (items.size() <= most_ || chosen.size() >= most_) return false;
+    for (std::size_t direction = 0; direction < outwards_.size() && chosen.size() < most_; ++direction) {
+      const auto out = [&](std::uint32_t k) { return outwards_[direction].dot(cloud_.offset(points_[k])); };
+      std::uint32_t furthest = items.front();
+      float most = out(furthest);
+      for (const std::uint32_t k : items.subspan(1)) {
+        const float here = out(k);
+        if (most < here) most = here, furthest = k;
+      }
+      chosen.push_back(furthest);
+    }
+    return true;
+  }
+
+  /// Most cells are within a step by any of their points; only where they are not the outermost ones are looked for.
+  bool within_step(std::size_t a, std::size_t b) {
+    if (speakers_within_step(a, b)) return true;
+    const bool more_of_a = add_outermost(a), more_of_b = add_outermost(b);
+    return (more_of_a || more_of_b) && speakers_within_step(a, b);
+  }
+
+  bool speakers_within_step(std::size_t a, std::size_t b) const {
     const auto limit = static_cast<float>(step_ * step_);
     for (const std::uint32_t i : speakers_[a]) {
       const Eigen::Vector3f p = cloud_.offset(points_[i]);
@@ -129,7 +143,7 @@ class Connector {
   double step_;
   std::size_t most_;
   int reach_ = 1, depth_ = 0;
-  Eigen::Matrix3d axes_;
+  std::array<Eigen::Vector3f, 8> outwards_;
   CellIndex cells_;
   std::vector<std::vector<std::uint32_t>> speakers_;  ///< by cell
   DisjointSets sets_{0};  ///< of cells

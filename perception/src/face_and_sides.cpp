@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <unordered_map>
 
 #include "seen_from.hpp"
 
@@ -16,6 +15,7 @@ namespace scenelore::perception {
 namespace {
 
 constexpr double kWindow = 0.04;       // metres along the front, in which the nearest point is the front
+constexpr double kMostWindows = 1 << 18;
 constexpr double kPretended = 4;       // points of each step that are as the region's are
 constexpr int kFewestPasses = 5, kPasses = 20;
 constexpr double kSettled = 0.01;      // of the deviation
@@ -66,15 +66,22 @@ void FaceAndSides::see(const Cloud& cloud, const PlaneFit& plane, double noise, 
     ways.push_back({position, std::atan2(ray.dot(across), ray.dot(along)), std::hypot(ray.dot(along), ray.dot(across))});
     longest = std::max(longest, ways.back().length);
   }
-  const auto direction = [&](const Way& way) { return std::lround(way.angle * longest / kWindow); };
-  std::map<std::size_t, std::unordered_map<long, double>> fronts;  // by place of the sensor, by direction: the nearest point
+  const double windows = std::min(longest / kWindow, kMostWindows);  // a radian; few for sensors that are nowhere near
+  const long most = std::lround(std::numbers::pi * windows) + 1;
+  const auto direction = [&](const Way& way) {
+    const double d = way.angle * windows;
+    return std::abs(d) <= static_cast<double>(most) ? static_cast<std::size_t>(std::lround(d) + most) : 0;  // nor what is no number
+  };
+  std::map<std::size_t, std::vector<double>> fronts;  // by place of the sensor, by direction: the nearest point
   for (const Way& way : ways) {
-    double& nearest = fronts[way.sensor].try_emplace(direction(way), way.length).first->second;
+    std::vector<double>& front = fronts[way.sensor];
+    if (front.empty()) front.assign(static_cast<std::size_t>(2 * most + 1), std::numeric_limits<double>::infinity());
+    double& nearest = front[direction(way)];
     nearest = std::min(nearest, way.length);
   }
   const double step = std::max(noise, kFinestAcross);
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    const double behind = (ways[k].length - fronts.at(ways[k].sensor).at(direction(ways[k]))) / step;
+    const double behind = (ways[k].length - fronts.at(ways[k].sensor)[direction(ways[k])]) / step;
     points_[k].step = std::min(static_cast<std::size_t>(behind), kSteps);
   }
 }

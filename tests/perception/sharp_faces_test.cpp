@@ -84,10 +84,20 @@ TEST(SharpFaces, TakeNothingWithoutTheSensorsPosition) {
   EXPECT_EQ(screen.kept(0, kOfFront + kOfRim), kOfFront + kOfRim);
 }
 
-TEST(SharpFaces, AreTheSameInEveryRun) {
+/// Directions are counted by places along the plane, of which there are 10¹⁴ around a sensor that is so far away.
+TEST(SharpFaces, AreLookedForFromASensorThatIsNowhereNear) {
+  for (const double away : {1e5, 1e12}) {
+    Screen screen(0.04);
+    screen.cloud.sensors = SensorPositions(Eigen::Vector3d(-away, 0.15 - away / 10, 0));
+    keep_sharp_faces(screen.cloud, kNoise, screen.regions);
+    EXPECT_GT(screen.kept(0, kOfFront), 0.9 * kOfFront) << away;
+  }
+}
+
+TEST(SharpFaces, AreTheSameInEveryRunWithAnyNumberOfThreads) {
   Screen once(0.04), again(0.04);
-  keep_sharp_faces(once.cloud, kNoise, once.regions);
-  keep_sharp_faces(again.cloud, kNoise, again.regions);
+  keep_sharp_faces(once.cloud, kNoise, once.regions, 1);
+  keep_sharp_faces(again.cloud, kNoise, again.regions, 4);
   EXPECT_EQ(once.regions.of_point, again.regions.of_point);
 }
 
