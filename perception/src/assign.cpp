@@ -1,3 +1,5 @@
+#include "assign.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,7 @@
 
 #include "scenelore/perception/memory.hpp"
 #include "scenelore/perception/parallel.hpp"
-#include "slots.hpp"
+#include "slot_layout.hpp"
 
 namespace scenelore::perception {
 namespace {
@@ -29,67 +31,6 @@ Ruler make_ruler(const PlaneFit& plane, const Eigen::Vector3d& corner, double st
   const Eigen::Vector3d n = plane.normal * (step / unit);
   const double e = plane.distance(corner + Eigen::Vector3d::Constant(step / 2)) / unit;
   return {static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()), static_cast<float>(e), static_cast<float>(reach / unit), handicap};
-}
-
-/// A voxel's own slots: one for each candidate, and the last one.
-std::uint32_t slots_of(const Candidates& candidates, std::size_t v) { return candidates.first[v + 1] - candidates.first[v] + 1; }
-
-/// `rulers`: number of the first plane's.
-void lay_out(const Candidates& candidates, std::size_t v, std::size_t rulers, Slots& slots) {
-  std::uint32_t s = slots.first[v];
-  for (std::uint32_t k = candidates.first[v]; k < candidates.first[v + 1]; ++k, ++s) {
-    slots.region[s] = candidates.regions[k];
-    slots.ruler[s] = static_cast<std::int32_t>(rulers) + candidates.regions[k];
-  }
-  slots.region[s] = slots.ruler[s] = -1;
-}
-
-void resize(Slots& slots, std::size_t count) {
-  slots.voxel.resize(count), slots.region.resize(count), slots.ruler.resize(count);
-  if (count > slots.moments.capacity()) slots.moments.reserve(count + count / 16);  // not twice as much
-  slots.moments.resize(count);
-}
-
-void move_slot(Slots& slots, std::uint32_t from, std::uint32_t to) {
-  slots.region[to] = slots.region[from], slots.ruler[to] = slots.ruler[from];
-  slots.moments[to] = slots.moments[from];
-}
-
-/// The slots of all voxels, without their points and room for moments.
-Slots layout(const VoxelGrid& grid, const Candidates& candidates) {
-  Slots slots;
-  slots.first.resize(grid.count() + 1);
-  for (std::size_t v = 0; v < grid.count(); ++v) slots.first[v + 1] = slots.first[v] + slots_of(candidates, v);
-  slots.voxel.resize(slots.first.back()), slots.region.resize(slots.first.back()), slots.ruler.resize(slots.first.back());
-  for (std::size_t v = 0; v < grid.count(); ++v) {
-    std::fill(slots.voxel.begin() + slots.first[v], slots.voxel.begin() + slots.first[v + 1], static_cast<std::uint32_t>(v));
-    lay_out(candidates, v, 0, slots);
-  }
-  return slots;
-}
-
-/// Makes room for other slots in some voxels, in place: two sets of them would be the most that is in memory at this time. What is kept moves
-/// to the front, then, last voxel first, to where it belongs. Returns where each voxel's slots began before.
-std::vector<std::uint32_t> lay_out_anew(const std::vector<bool>& anew, const Candidates& candidates, Slots& slots) {
-  const std::size_t voxels = anew.size();
-  std::vector<std::uint32_t> first(voxels + 1, 0);
-  std::uint32_t kept = 0;
-  for (std::size_t v = 0; v < voxels; ++v) {
-    const std::uint32_t own = slots.first[v + 1] - slots.first[v];
-    first[v + 1] = first[v] + (anew[v] ? slots_of(candidates, v) : own);
-    if (anew[v]) continue;
-    for (std::uint32_t s = slots.first[v]; s < slots.first[v + 1]; ++s, ++kept) move_slot(slots, s, kept);
-  }
-  resize(slots, first.back());
-  std::swap(slots.first, first);
-  for (std::size_t v = voxels; v-- > 0;) {
-    for (std::uint32_t s = slots.first[v + 1]; s-- > slots.first[v];) {
-      slots.voxel[s] = static_cast<std::uint32_t>(v);
-      if (!anew[v]) move_slot(slots, --kept, s);
-    }
-    if (anew[v]) lay_out(candidates, v, slots.rulers.size(), slots);
-  }
-  return first;
 }
 
 /// The choice between the slots of one voxel.
@@ -282,7 +223,7 @@ void ByPoints::set_moments(const std::vector<PagedSums>& sums, int threads) {
 Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
                     const AssignRule& rule, int threads, SlotOfPoint& slot_of_point) {
   slot_of_point.resize(cloud.size());
-  Slots slots = layout(voxels.grid, candidates);
+  Slots slots = slots_for(voxels.grid, candidates);
   slots.rulers.assign(planes.begin(), planes.end());
   slots.reach = rule.reach;
   const Chooser chooser(voxels.grid, candidates, planes, rule, slots);
@@ -292,7 +233,7 @@ Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Cand
 
 Slots assign_points(const PointsByVoxel& points, const VoxelGrid& grid, const Candidates& candidates, const std::vector<PlaneFit>& planes,
                     const AssignRule& rule, int threads, SlotOfPoint& slot_of_point) {
-  Slots slots = layout(grid, candidates);
+  Slots slots = slots_for(grid, candidates);
   slots.rulers.assign(planes.begin(), planes.end());
   slots.reach = rule.reach;
   slots.moments.resize(slots.count());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "absorb.hpp"
+#include "assign.hpp"
 #include "bridge_pieces.hpp"
 #include "clutter.hpp"
 #include "earlier_regions.hpp"

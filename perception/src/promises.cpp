@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "assign.hpp"
 #include "cell_index.hpp"
 #include "connect.hpp"
 #include "scenelore/perception/parallel.hpp"

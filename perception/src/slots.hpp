@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "regions.hpp"
-#include "voxelise.hpp"
+#include "voxel_grid.hpp"
 
 namespace scenelore::perception {
 
@@ -25,41 +25,6 @@ struct Slots {
 };
 
 using SlotOfPoint = std::vector<std::int32_t>;  ///< −1 = invalid, or in no voxel
-
-/// Planes that may own points, by voxel: rows in the order of the voxels.
-struct Candidates {
-  std::vector<std::uint32_t> first;     ///< of each voxel, and the number at the end
-  std::vector<std::int32_t> regions;    ///< in order of preference
-  std::vector<float> handicap;          ///< by entry, in squared units / 2: what a plane's distance is raised by; empty = nothing
-};
-
-/// What an assignment weighs.
-struct AssignRule {
-  std::vector<double> reach;         ///< by region, metres: the furthest point it takes
-  std::vector<double> unit;          ///< by region, metres: distances are compared in these units
-  bool larger_first = true;          ///< of two almost parallel planes the larger one keeps what it explains
-};
-
-/// Gives every point of a cloud with these voxels to the nearest of its voxel's candidates, one pass over the points.
-[[nodiscard]] Slots assign_points(const Cloud& cloud, const VoxelisedCloud& voxels, const Candidates& candidates, const std::vector<PlaneFit>& planes,
-                                  const AssignRule& rule, int threads, SlotOfPoint& slot_of_point);
-
-/// The same of points that are sorted by voxel.
-[[nodiscard]] Slots assign_points(const PointsByVoxel& points, const VoxelGrid& grid, const Candidates& candidates, const std::vector<PlaneFit>& planes,
-                                  const AssignRule& rule, int threads, SlotOfPoint& slot_of_point);
-
-/// The same of the points in some of the voxels: `anew` says of each whether it is one. The rest keep their slots.
-void assign_anew(const PointsByVoxel& points, const VoxelGrid& grid, const std::vector<bool>& anew, const Candidates& candidates,
-                 const std::vector<PlaneFit>& planes, const AssignRule& rule, int threads, SlotOfPoint& slot_of_point, Slots& slots);
-
-/// The planes with points in each voxel or in one of the 26 around it, largest first, `most` at the most; those that pass
-/// the voxel further away than their reach are left out.
-[[nodiscard]] Candidates candidates_around(const VoxelGrid& grid, const Slots& slots, const std::vector<PlaneFit>& planes,
-                                           const std::vector<double>& reach, std::size_t most, int threads);
-
-/// The planes with points in each voxel. Where they cross, a point is more likely of the one that holds more of the voxel's points: with the
-/// deviation of its points, sigma, as unit, the handicap makes the choice one by the mixture of normal distributions across the planes.
-[[nodiscard]] Candidates candidates_within(const Slots& slots, const std::vector<double>& sigma);
 
 /// One slot for all points of each voxel, with the regions that voxels have; for the first assignment.
 [[nodiscard]] Slots slots_of_voxels(const VoxelGrid& grid, const std::vector<std::int32_t>& region_of_voxel);

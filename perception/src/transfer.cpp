@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assign.hpp"
 #include "scenelore/perception/memory.hpp"
 
 namespace scenelore::perception {

@@ -1,9 +1,9 @@
 // Points sorted by voxel are assigned in a pass of their own, which must do what the pass in the cloud's order does.
 #include <gtest/gtest.h>
 
+#include "assign.hpp"
 #include "planar_scenes.hpp"
 #include "sample.hpp"
-#include "slots.hpp"
 
 namespace scenelore::perception {
 namespace {

@@ -1,4 +1,5 @@
 // What is given up as no face of the scene, and the traits and curves that decide about it.
+#include "assign.hpp"
 #include "face_model.hpp"
 
 #include <gtest/gtest.h>

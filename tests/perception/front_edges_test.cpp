@@ -1,4 +1,5 @@
 // A shelf seen from above and before it: its face is seen at a slant, its front edge is not.
+#include "assign.hpp"
 #include "front_edges.hpp"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planar_scenes.hpp"
+#include "voxelise.hpp"
 
 namespace scenelore::perception {
 namespace {
